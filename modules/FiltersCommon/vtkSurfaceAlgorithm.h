@@ -1,0 +1,68 @@
+/**
+ * @class vtkSurfaceAlgorithm
+ * @brief What the surface filters of Authalic share: one guard, progress, abort and a thread count.
+ *
+ * A filter overrides Compute(), which may throw; RequestData() catches everything. A failure goes to the error
+ * macro as one sentence (required, found, where, what to do), the outputs are emptied and the pipeline is told that
+ * the request failed. GetErrorKind() says which kind of failure it was. Inputs are never modified.
+ *
+ * Abort is honoured between the iterations of a method: set AbortExecute from an observer of ProgressEvent. The
+ * name of the stage is in ProgressText.
+ */
+#ifndef vtkSurfaceAlgorithm_h
+#define vtkSurfaceAlgorithm_h
+
+#include "vtkAuthalicFiltersCommonModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+namespace authalic
+{
+class Execution;
+}
+
+class VTKAUTHALICFILTERSCOMMON_EXPORT vtkSurfaceAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkSurfaceAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Kinds of failure; the numbers are the exit codes of the command line. */
+  enum ErrorKindType
+  {
+    NONE = 0,
+    SOLVER = 1,
+    ARGUMENT = 2,
+    SURFACE = 3,
+    NOT_CONVERGED = 4,
+    FORMAT = 5,
+    CANCELLED = 130
+  };
+
+  /** How the last execution ended. NOT_CONVERGED comes with an output (the best iterate), the others without. */
+  vtkGetMacro(ErrorKind, int);
+
+  ///@{
+  /** Threads to use; 0 = every core. The result does not depend on it. Range 0 to 1024, default 0. */
+  vtkSetClampMacro(Threads, int, 0, 1024);
+  vtkGetMacro(Threads, int);
+  ///@}
+
+protected:
+  vtkSurfaceAlgorithm() = default;
+  ~vtkSurfaceAlgorithm() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /** The work of the filter; may throw. */
+  virtual void Compute(
+    vtkInformationVector** inputs, vtkInformationVector* outputs, const authalic::Execution& execution) = 0;
+
+  int Threads = 0;
+  int ErrorKind = NONE;
+
+private:
+  vtkSurfaceAlgorithm(const vtkSurfaceAlgorithm&) = delete;
+  void operator=(const vtkSurfaceAlgorithm&) = delete;
+};
+
+#endif
