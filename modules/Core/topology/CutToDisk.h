@@ -15,13 +15,11 @@ struct CutToDiskOptions {
   /// Keep only the largest connected piece of the removal region (true), or every piece: then each piece opens a
   /// hole of its own and the result is a disk only if there is one.
   bool largestRegionOnly = true;
-  /// Passes of erosion/dilation that take one-vertex spikes and bays off the rim (0 = off).
-  int rimPasses = 2;
-  /// Laplacian passes that slide the rim vertices along the loop, in place, towards even spacing (0 = off). Points of
-  /// the result then differ from the input's on the rim and only there.
-  int loopSmoothing = 0;
+  /// Averaging passes over the region's indicator function before it is cut at one half: takes spikes, bays and
+  /// specks narrower than about √passes edges off the loop. Points never move. 0 = cut exactly where the flags say.
+  int loopSmoothing = 10;
 
-  /// @throws InvalidArgument when a count is negative
+  /// @throws InvalidArgument when loopSmoothing is negative
   void validate() const;
 };
 
@@ -35,14 +33,14 @@ struct CutToDiskResult {
   double loopLength = 0;              ///< mm, of the boundary loop
   int removedRegions = 0;             ///< pieces of the removal region that were removed
   int ignoredRegions = 0;             ///< smaller pieces that were kept as surface
-  int filledIslands = 0;              ///< pieces of surface inside or beyond the region that went with it
+  int filledIslands = 0;              ///< pieces of surface cut off by the region that went with it
 };
 
 /// Removes the faces that touch a marked vertex and keeps the largest piece of what is left.
 ///
 /// For a closed surface of genus 0 and one connected region the result is a disk by construction: pieces of surface
-/// enclosed by the region are removed with it (filledIslands), pinched rim vertices are opened by removing their
-/// smaller fan. Vertices keep their order.
+/// enclosed by the region go with it (filledIslands), and where the rim touches itself in a vertex the smaller fan of
+/// faces goes. Points are those of the input, bit for bit; vertices and faces keep their order. O(m) per pass.
 ///
 /// @param surface  any oriented manifold surface, closed or not
 /// @param remove   n flags, non-zero where the surface is to be opened
