@@ -1,0 +1,67 @@
+#include "MapArrays.h"
+
+#include <cmath>
+#include <vector>
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "Conversion.h"
+#include "FieldArrays.h"
+
+namespace authalic {
+namespace {
+
+void addSummary(vtkPolyData* map, const DistortionSummary& s) {
+  const std::pair<const char*, double> numbers[] = {
+      {"TotalAreaDistortion", s.areaDistortion},
+      {"TotalAngleDistortion", s.angleDistortion},
+      {"SymmetricDirichlet", s.symmetricDirichlet},
+      {"AsRigidAsPossible", s.asRigidAsPossible},
+      {"AreaErrorL2", s.areaErrorL2},
+      {"FaceMeanAbsLog", s.faceMeanAbsLog},
+      {"FaceMaxAbsLog", s.faceMaxAbsLog},
+      {"FaceStandardDeviation", s.faceStandardDeviation},
+      {"VertexMeanAbsLog", s.vertexMeanAbsLog},
+      {"VertexMaxAbsLog", s.vertexMaxAbsLog},
+      {"MeanAngleError", s.meanAngleError},
+      {"MeanQuasiConformal", s.meanQuasiConformal},
+      {"MeanBeltrami", s.meanBeltrami},
+  };
+  for (const auto& [name, value] : numbers) addField(map, name, value);
+  addField(map, "FlippedFaces", s.flippedFaces);
+  addField(map, "DegenerateFaces", s.degenerateFaces);
+}
+
+}  // namespace
+
+void addDistortion(vtkPolyData* map, const Distortion& distortion) {
+  const DistortionArrays& a = distortion.arrays;
+  addArray(map->GetCellData(), "AreaDistortion", a.logAreaRatio);
+  addArray(map->GetCellData(), "AngleDistortion", a.angleDistortion);
+  addArray(map->GetCellData(), "Flipped", std::vector<char>(a.flipped.data(), a.flipped.data() + a.flipped.size()));
+  addArray(map->GetPointData(), "VertexAreaDistortion", Eigen::VectorXd(a.vertexLogAreaRatio / std::log(2.0)));
+  addSummary(map, distortion.summary);
+}
+
+Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& surface, const Points2& image,
+                   const Eigen::VectorXd& target) {
+  Distortion distortion = measureDistortion(surface, image, target);
+  map->ShallowCopy(input);
+  addArray(map->GetPointData(), "OriginalPoints", surface.points());
+  setPoints(map, image);
+  addDistortion(map, distortion);
+  return distortion;
+}
+
+TriangleMesh surfaceOfMap(vtkPolyData* map) {
+  const TriangleMesh image = toTriangleMesh(map, "map");
+  vtkDataArray* original = requireArray(map->GetPointData(), "OriginalPoints", 3, "map");
+  Points3 points(image.vertexCount(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) original->GetTuple(i, points.row(i).data());
+  return TriangleMesh(points, image.faces());
+}
+
+}  // namespace authalic

@@ -1,0 +1,28 @@
+/// @file
+/// The arrays that every map carries (docs/arrays.md).
+#pragma once
+
+#include "Core/distortion/Distortion.h"
+#include "Core/mesh/TriangleMesh.h"
+#include "vtkAuthalicFiltersParameterizationModule.h"
+
+class vtkPolyData;
+
+namespace authalic {
+
+/// Cell arrays AreaDistortion, AngleDistortion and Flipped, point array VertexAreaDistortion, and one field-data
+/// number per metric of DistortionSummary, named as there with a capital first letter.
+VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void addDistortion(vtkPolyData* map, const Distortion& distortion);
+
+/// Makes `map` the image of `input`: the arrays of `input` pass through, points become `image` (z = 0, double),
+/// `OriginalPoints` holds the surface, and the distortion arrays are added.
+/// @param target  m target measures, or empty for the surface areas
+VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input, vtkPolyData* map,
+                                                             const TriangleMesh& surface, const Points2& image,
+                                                             const Eigen::VectorXd& target = {});
+
+/// The surface of a map: OriginalPoints with the map's triangles.
+/// @throws InvalidArgument when the array is not there
+[[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TriangleMesh surfaceOfMap(vtkPolyData* map);
+
+}  // namespace authalic
