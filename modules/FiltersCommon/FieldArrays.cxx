@@ -89,6 +89,14 @@ void addField(vtkDataObject* object, const char* name, const std::vector<double>
   addScalars<vtkDoubleArray>(fieldsOf(object), name, values);
 }
 
+void passFields(vtkDataObject* input, vtkDataObject* output) { fieldsOf(output)->ShallowCopy(fieldsOf(input)); }
+
+void gatherArrays(vtkDataSetAttributes* from, const std::vector<int>& ids, vtkDataSetAttributes* to) {
+  to->CopyAllOn();
+  to->CopyAllocate(from, static_cast<vtkIdType>(ids.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i) to->CopyData(from, ids[i], static_cast<vtkIdType>(i));
+}
+
 vtkDataArray* requireArray(vtkDataSetAttributes* data, const std::string& name, int components,
                            const std::string& role) {
   vtkDataArray* array = data->GetArray(name.c_str());

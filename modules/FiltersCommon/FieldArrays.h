@@ -40,6 +40,13 @@ VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char*
 VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char* name,
                                               const std::vector<double>& values);
 
+/// The field data of `input` (name of the structure, coordinate space, file …) on `output`; the arrays are shared.
+VTKAUTHALICFILTERSCOMMON_EXPORT void passFields(vtkDataObject* input, vtkDataObject* output);
+
+/// Tuples ids[0], ids[1], … of every array of `from`, in an array of the same name and type of `to`.
+VTKAUTHALICFILTERSCOMMON_EXPORT void gatherArrays(vtkDataSetAttributes* from, const std::vector<int>& ids,
+                                                  vtkDataSetAttributes* to);
+
 /// The numeric array of that name.
 /// @throws InvalidArgument naming the arrays that are there, when it is missing or has other components.
 [[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT vtkDataArray* requireArray(vtkDataSetAttributes* data,
