@@ -3,32 +3,16 @@
 
     check_house.py CHECK ROOT
 
-CHECK is one of function-length, file-length, dependencies, leftovers, layout, citations.
+CHECK is one of function-length, file-length, dependencies, leftovers, layout, citations, fixtures.
 Exits 1 with one line per violation.
 """
+import hashlib
 import pathlib
 import re
 import sys
 
 MAX_FUNCTION_LINES = 80
 MAX_FILE_LINES = 600
-
-# Each folder of Core may include itself and the folders before it.
-CORE_ORDER = ["base", "numerics", "mesh", "geometry", "topology", "distortion", "initial", "conformal", "transport",
-              "authalic", "imaging", "sampling", "statistics"]
-
-# What each module may include, besides itself.
-MODULE_MAY_USE = {
-    "Core": set(),
-    "Formats": {"Core"},
-    "Reports": {"Core"},
-    "FiltersCommon": {"Core"},
-    "IOSurface": {"Core", "Formats", "FiltersCommon"},
-    "FiltersParameterization": {"Core", "FiltersCommon"},
-    "FiltersSegmentation": {"Core", "FiltersCommon", "IOSurface"},
-    "FiltersSampling": {"Core", "FiltersCommon", "IOSurface"},
-    "FiltersStatistics": {"Core", "FiltersCommon", "FiltersSampling"},
-}
 
 TOP_LEVEL = {"CMakeLists.txt", "CMakePresets.json", "src", "modules", "pipelines", "testing", "data", "docs", "LICENSE",
              "build", "out"}
@@ -92,7 +76,17 @@ def check_file_length(root):
             yield f"{path.relative_to(root)}: {length} lines"
 
 
+def architecture(root):
+    """The tables of docs/architecture.md: {module: modules it may use} and the order of Core's folders."""
+    text = (root / "docs/architecture.md").read_text()
+    tables = [re.findall(r"^\| (\w+) \| (.*) \|$", part, flags=re.M) for part in text.split("\n## ")]
+    modules, folders = [table for table in tables if table]
+    return ({name: set(re.findall(r"\w+", uses)) for name, uses in modules if name != "module"},
+            [name for name, _ in folders if name != "folder"])
+
+
 def check_dependencies(root):
+    may_use, core_order = architecture(root)
     for path in sources(root, folders=("modules",)):
         module = path.relative_to(root / "modules").parts[0]
         folder = path.relative_to(root / "modules").parts[1]
@@ -107,10 +101,10 @@ def check_dependencies(root):
                 yield f"{where} (no VTK below the filters)"
             if path.suffix == ".h" and parts[0] in ("CGAL", "cholmod.h", "nifti2_io.h", "expat.h", "zlib.h"):
                 yield f"{where} (private libraries stay out of headers)"
-            if parts[0] in MODULE_MAY_USE and parts[0] != module and parts[0] not in MODULE_MAY_USE[module]:
+            if parts[0] in may_use and parts[0] != module and parts[0] not in may_use[module]:
                 yield f"{where} ({module} may not use {parts[0]})"
-            if module == "Core" and parts[0] == "Core" and folder in CORE_ORDER and parts[1] in CORE_ORDER:
-                if CORE_ORDER.index(parts[1]) > CORE_ORDER.index(folder):
+            if module == "Core" and parts[0] == "Core":
+                if core_order.index(parts[1]) > core_order.index(folder):
                     yield f"{where} ({folder} comes before {parts[1]})"
 
 
@@ -141,6 +135,17 @@ def check_citations(root):
         for key in re.findall(r"@cite\s+(\w+)", path.read_text()):
             if key not in keys:
                 yield f"{path.relative_to(root)}: @cite {key} is not in docs/references.bib"
+
+
+def check_fixtures(root):
+    rows = (root / "data/MANIFEST.tsv").read_text().splitlines()[1:]
+    listed = {row.split("\t")[0]: row.split("\t")[1] for row in rows}
+    present = {p.name for p in (root / "data").iterdir()} - {"MANIFEST.tsv", "make_fixtures.py", "__pycache__"}
+    for name in sorted(present ^ set(listed)):
+        yield f"data/{name}: listed in the manifest or present, but not both"
+    for name in sorted(present & set(listed)):
+        if hashlib.sha256((root / "data" / name).read_bytes()).hexdigest() != listed[name]:
+            yield f"data/{name}: sha256 differs from the manifest"
 
 
 def main():
