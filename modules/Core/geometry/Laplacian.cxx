@@ -1,0 +1,128 @@
+#include "Core/geometry/Laplacian.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "Core/numerics/ElementAssembly.h"
+
+namespace authalic {
+namespace {
+
+constexpr double kSmallestRelativeArea = 1e-10;
+
+// Half cotangents of the angles opposite to edges 01, 12, 20 from the edge vectors.
+template <class Vector>
+Eigen::RowVector3d halfCotangents(const Vector& e01, const Vector& e12, const Vector& e20, double doubleArea) {
+  const double squares = e01.squaredNorm() + e12.squaredNorm() + e20.squaredNorm();
+  const double area = std::max(std::abs(doubleArea), kSmallestRelativeArea * squares);
+  if (!(area > 0)) return Eigen::RowVector3d::Zero();
+  return Eigen::RowVector3d(-e12.dot(e20), -e20.dot(e01), -e01.dot(e12)) * (0.5 / area);
+}
+
+SparseMatrix stiffnessOf(const HalfEdgeWeights& weights, const Faces& faces, int vertexCount) {
+  ElementAssembly assembly(vertexCount, faces);
+  std::vector<double> values(static_cast<std::size_t>(6 * faces.rows()));
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const double w01 = weights(f, 0), w12 = weights(f, 1), w20 = weights(f, 2);
+    const std::array<double, 6> element{w01 + w20, -w01, -w20, w01 + w12, -w12, w12 + w20};
+    std::copy(element.begin(), element.end(), values.begin() + 6 * f);
+  }
+  return assembly.assemble(values);
+}
+
+// tan(α/2) at the corner between two edge vectors, without inverse functions.
+double tangentOfHalfAngle(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  const double denominator = u.norm() * v.norm() + u.dot(v);
+  const double cross = u.cross(v).norm();
+  return denominator > 1e-12 * cross ? cross / denominator : 1e12;
+}
+
+double angleBetween(double ux, double uy, double vx, double vy) {
+  return std::atan2(std::abs(ux * vy - uy * vx), ux * vx + uy * vy);
+}
+
+}  // namespace
+
+HalfEdgeWeights cotangentWeights(const TriangleMesh& surface) {
+  HalfEdgeWeights weights(surface.faceCount(), 3);
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    const Eigen::Vector3d a = surface.corner(f, 0), b = surface.corner(f, 1), c = surface.corner(f, 2);
+    weights.row(f) = halfCotangents<Eigen::Vector3d>(b - a, c - b, a - c, (b - a).cross(c - a).norm());
+  }
+  return weights;
+}
+
+HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces) {
+  HalfEdgeWeights weights(faces.rows(), 3);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const Eigen::RowVector2d a = points.row(faces(f, 0)), b = points.row(faces(f, 1)), c = points.row(faces(f, 2));
+    const double doubleArea = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    weights.row(f) = halfCotangents<Eigen::RowVector2d>(b - a, c - b, a - c, doubleArea);
+  }
+  return weights;
+}
+
+MeanValueWeights meanValueWeights(const TriangleMesh& surface) {
+  MeanValueWeights weights{HalfEdgeWeights(surface.faceCount(), 3), HalfEdgeWeights(surface.faceCount(), 3)};
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    std::array<Eigen::Vector3d, 3> edge;
+    for (int k = 0; k < 3; ++k) edge[static_cast<std::size_t>(k)] = surface.corner(f, (k + 1) % 3) - surface.corner(f, k);
+    std::array<double, 3> tangent{};
+    for (std::size_t k = 0; k < 3; ++k) tangent[k] = tangentOfHalfAngle(edge[k], -edge[(k + 2) % 3]);
+    const double perimeter = edge[0].norm() + edge[1].norm() + edge[2].norm();
+    for (int k = 0; k < 3; ++k) {
+      const double length = std::max({edge[static_cast<std::size_t>(k)].norm(), 1e-8 * perimeter, 1e-300});
+      weights.forward(f, k) = tangent[static_cast<std::size_t>(k)] / length;
+      weights.backward(f, k) = tangent[static_cast<std::size_t>((k + 1) % 3)] / length;
+    }
+  }
+  return weights;
+}
+
+SparseMatrix cotangentStiffness(const TriangleMesh& surface) {
+  return stiffnessOf(cotangentWeights(surface), surface.faces(), surface.vertexCount());
+}
+
+SparseMatrix cotangentStiffness(const Points2& points, const Faces& faces) {
+  return stiffnessOf(cotangentWeights(points, faces), faces, static_cast<int>(points.rows()));
+}
+
+Points2 faceGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u) {
+  Points2 gradients(faces.rows(), 2);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const int a = faces(f, 0), b = faces(f, 1), c = faces(f, 2);
+    const double ex = points(b, 0) - points(a, 0), ey = points(b, 1) - points(a, 1);
+    const double fx = points(c, 0) - points(a, 0), fy = points(c, 1) - points(a, 1);
+    const double doubleArea = ex * fy - ey * fx, du = u[b] - u[a], dv = u[c] - u[a];
+    if (doubleArea == 0) {
+      gradients.row(f).setZero();
+    } else {
+      gradients.row(f) << (du * fy - dv * ey) / doubleArea, (dv * ex - du * fx) / doubleArea;
+    }
+  }
+  return gradients;
+}
+
+Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u) {
+  const Points2 ofFace = faceGradients(points, faces, u);
+  Points2 gradients = Points2::Zero(points.rows(), 2);
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(points.rows());
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = faces(f, k), j = faces(f, (k + 1) % 3), l = faces(f, (k + 2) % 3);
+      const double angle = angleBetween(points(j, 0) - points(i, 0), points(j, 1) - points(i, 1),
+                                        points(l, 0) - points(i, 0), points(l, 1) - points(i, 1));
+      gradients.row(i) += angle * ofFace.row(f);
+      angles[i] += angle;
+    }
+  }
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (angles[i] > 0) gradients.row(i) /= angles[i];
+  }
+  return gradients;
+}
+
+}  // namespace authalic

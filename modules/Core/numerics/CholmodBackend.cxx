@@ -1,0 +1,123 @@
+#include "Core/numerics/SparseBackend.h"
+
+#ifdef AUTHALIC_HAVE_CHOLMOD
+#include <cholmod.h>
+
+#include <algorithm>
+
+#include "Core/base/Error.h"
+
+#ifdef AUTHALIC_HAVE_OPENBLAS
+extern "C" {
+void openblas_set_num_threads(int);
+int openblas_get_num_threads(void);
+}
+#endif
+#endif
+
+namespace authalic {
+
+#ifdef AUTHALIC_HAVE_CHOLMOD
+namespace {
+
+// One BLAS thread inside, the caller's setting outside: sums are then taken in one order only.
+class SingleBlasThread {
+ public:
+#ifdef AUTHALIC_HAVE_OPENBLAS
+  SingleBlasThread() : before_(openblas_get_num_threads()) {
+    if (before_ != 1) openblas_set_num_threads(1);
+  }
+  ~SingleBlasThread() {
+    if (before_ != 1) openblas_set_num_threads(before_);
+  }
+#else
+  SingleBlasThread() = default;
+  ~SingleBlasThread() = default;
+#endif
+  SingleBlasThread(const SingleBlasThread&) = delete;
+  SingleBlasThread& operator=(const SingleBlasThread&) = delete;
+
+ private:
+  int before_ = 1;
+};
+
+// CHOLMOD's C structures do not know const; it reads the matrix only.
+cholmod_sparse viewOf(const SparseMatrix& lower) {
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<std::size_t>(lower.rows());
+  view.nzmax = static_cast<std::size_t>(lower.nonZeros());
+  view.p = const_cast<int*>(lower.outerIndexPtr());
+  view.i = const_cast<int*>(lower.innerIndexPtr());
+  view.x = const_cast<double*>(lower.valuePtr());
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = view.packed = 1;
+  return view;
+}
+
+class CholmodBackend final : public SparseSolver::Backend {
+ public:
+  explicit CholmodBackend(PatternUse use) {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.try_catch = 1;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+    common_.final_ll = 1;
+    common_.nmethods = 1;
+    common_.method[0].ordering = use == PatternUse::Reused ? CHOLMOD_METIS : CHOLMOD_AMD;
+    common_.postorder = 1;
+  }
+  ~CholmodBackend() override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_finish(&common_);
+  }
+  CholmodBackend(const CholmodBackend&) = delete;
+  CholmodBackend& operator=(const CholmodBackend&) = delete;
+
+  void analyze(const SparseMatrix& lower) override {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_sparse view = viewOf(lower);
+    factor_ = cholmod_analyze(&view, &common_);
+    if (!factor_) throw SolverError("A matrix that fits into memory is required, but its analysis failed.");
+  }
+
+  bool factorize(const SparseMatrix& lower) override {
+    const SingleBlasThread single;
+    cholmod_sparse view = viewOf(lower);
+    return cholmod_factorize(&view, factor_, &common_) != 0 && common_.status == CHOLMOD_OK;
+  }
+
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const override {
+    const SingleBlasThread single;
+    cholmod_dense view{};
+    view.nrow = view.d = static_cast<std::size_t>(rightHandSides.rows());
+    view.ncol = static_cast<std::size_t>(rightHandSides.cols());
+    view.nzmax = static_cast<std::size_t>(rightHandSides.size());
+    view.x = const_cast<double*>(rightHandSides.data());
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
+    if (!solution) throw SolverError("A solvable system is required, but CHOLMOD ran out of memory.");
+    const Eigen::MatrixXd result = Eigen::Map<const Eigen::MatrixXd>(
+        static_cast<const double*>(solution->x), rightHandSides.rows(), rightHandSides.cols());
+    cholmod_free_dense(&solution, &common_);
+    return result;
+  }
+
+ private:
+  mutable cholmod_common common_;  // workspace: solve needs it
+  cholmod_factor* factor_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<SparseSolver::Backend> makeCholmodBackend(PatternUse use) {
+  return std::make_unique<CholmodBackend>(use);
+}
+#else
+std::unique_ptr<SparseSolver::Backend> makeCholmodBackend(PatternUse) { return nullptr; }
+#endif
+
+}  // namespace authalic
