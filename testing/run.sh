@@ -8,6 +8,7 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
 authalic_install
 authalic_build release
+authalic_build sanitize
 authalic_display
 cd "$authalic_root"
 ctest --preset release --no-tests=error "$@"
