@@ -1,0 +1,42 @@
+/// @file
+/// The gate before libnifti2: everything in a NIfTI header that must hold before it is believed.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "Formats/VolumeData.h"
+
+namespace authalic {
+
+/// A checked header.
+struct NiftiHeader {
+  int version = 1;
+  bool pair = false;  ///< voxels in a separate .img
+  std::array<int, 3> dimensions{1, 1, 1};
+  std::int64_t frames = 1;
+  VoxelCoding coding;
+  std::uint64_t dataOffset = 0;
+  Eigen::Matrix4d voxelToWorld = Eigen::Matrix4d::Identity();
+  CoordinateSpace space = CoordinateSpace::Unknown;
+  std::string spaceReason;
+  std::vector<std::string> warnings;
+};
+
+/// Length of the header that the first four bytes announce: 348 or 540.
+/// @throws FormatError when they announce neither
+[[nodiscard]] std::uint64_t niftiHeaderSize(const std::string& path,
+                                            const std::vector<std::uint8_t>& firstFour);
+
+/// Checks and interprets the bytes of a header.
+///
+/// Rejected: a magic other than n+1, ni1, n+2, ni2 (an Analyze header, for instance); vox_offset that is not
+/// finite or lies inside the header; dim[0] outside 1 to 7; a dimension below 1 or beyond 32 bits; a product
+/// beyond 2^40; a type that is not read; a slope or intercept that is not finite; CIFTI.
+/// @throws FormatError
+[[nodiscard]] NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uint8_t>& bytes);
+
+}  // namespace authalic

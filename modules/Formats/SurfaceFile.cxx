@@ -1,0 +1,154 @@
+#include "Formats/SurfaceFile.h"
+
+#include <array>
+#include <string_view>
+
+#include "Core/base/Error.h"
+#include "Formats/ByteCursor.h"
+#include "Formats/InputFile.h"
+#include "Formats/SurfaceParsers.h"
+
+namespace authalic {
+
+namespace {
+
+bool contains(const FileBytes& bytes, std::string_view word) {
+  const std::size_t length = bytes.size() < 2048 ? bytes.size() : 2048;
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), length).find(word) !=
+         std::string_view::npos;
+}
+
+FileKind recogniseMagicFfffff(const FileBytes& bytes) {
+  if (bytes.size() >= 15) {
+    const auto vertices = decode<std::int32_t>(bytes.data() + 3, ByteOrder::Big);
+    const auto values = decode<std::int32_t>(bytes.data() + 11, ByteOrder::Big);
+    const auto expected = 15 + 4 * static_cast<std::int64_t>(vertices) * values;
+    if (vertices > 0 && values > 0 && expected == static_cast<std::int64_t>(bytes.size())) {
+      return FileKind::FreeSurferMorphometry;
+    }
+  }
+  if (bytes.size() >= 8 && bytes[3] == 0xFF) {
+    return FileKind::FreeSurferPatch;
+  }
+  if (bytes.size() >= 9) {
+    const int vertices = bytes[3] << 16 | bytes[4] << 8 | bytes[5];
+    const int quads = bytes[6] << 16 | bytes[7] << 8 | bytes[8];
+    if (bytes.size() >= 9 + 6ULL * vertices + 12ULL * quads && vertices > 0 && quads > 0) {
+      return FileKind::FreeSurferQuads;
+    }
+  }
+  return FileKind::FreeSurferMorphometry;
+}
+
+}  // namespace
+
+FileKind recognise(const FileBytes& bytes) {
+  if (bytes.size() >= 3 && bytes[0] == 0xFF && bytes[1] == 0xFF) {
+    switch (bytes[2]) {
+      case 0xFE:
+        return FileKind::FreeSurferTriangles;
+      case 0xFD:
+        return FileKind::FreeSurferQuads;
+      case 0xFF:
+        return recogniseMagicFfffff(bytes);
+      default:
+        return FileKind::Other;
+    }
+  }
+  if (contains(bytes, "<GIFTI") || contains(bytes, "<!DOCTYPE GIFTI")) {
+    return FileKind::Gifti;
+  }
+  const auto line = ByteCursor("", bytes).line();
+  const auto word = line.substr(0, line.find_first_of(" \t\r"));
+  const bool off = word.size() >= 3 && word.size() <= 7 && word.compare(word.size() - 3, 3, "OFF") == 0;
+  return off ? FileKind::Off : FileKind::Other;
+}
+
+const char* fileKindName(FileKind kind) noexcept {
+  switch (kind) {
+    case FileKind::FreeSurferTriangles:
+      return "a FreeSurfer surface";
+    case FileKind::FreeSurferQuads:
+      return "a FreeSurfer quadrangle surface";
+    case FileKind::FreeSurferMorphometry:
+      return "a FreeSurfer morphometry file";
+    case FileKind::FreeSurferPatch:
+      return "a FreeSurfer patch, which has no faces of its own";
+    case FileKind::Gifti:
+      return "a GIFTI file";
+    case FileKind::Off:
+      return "an OFF file";
+    case FileKind::Other:
+      break;
+  }
+  return "of none of the known kinds";
+}
+
+void checkFaceIndices(const std::string& path, const SurfaceFile& surface) {
+  const auto n = static_cast<int>(surface.vertexCount());
+  if (n == 0) {
+    throw FormatError(path, "A surface with vertices is needed, but the file holds none.");
+  }
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    if (surface.faces[i] < 0 || surface.faces[i] >= n) {
+      throw FormatError(path, "Face " + std::to_string(i / 3) + " names vertex " +
+                                  std::to_string(surface.faces[i]) + ", but the file holds " +
+                                  std::to_string(n) +
+                                  " vertices; it is damaged or belongs to another surface.");
+    }
+  }
+}
+
+SurfaceFile readSurface(const std::string& path) {
+  const FileBytes bytes = readBytes(path);
+  const FileKind kind = recognise(bytes);
+  SurfaceFile surface;
+  switch (kind) {
+    case FileKind::FreeSurferTriangles:
+      surface = parseFreeSurferTriangles(path, bytes);
+      break;
+    case FileKind::FreeSurferQuads:
+      surface = parseFreeSurferQuads(path, bytes);
+      break;
+    case FileKind::Gifti:
+      surface = parseGiftiSurface(path, bytes);
+      break;
+    case FileKind::Off:
+      surface = parseOff(path, bytes);
+      break;
+    default:
+      throw FormatError(path,
+                        std::string("A surface (FreeSurfer, GIFTI or OFF) is needed, but the file is ") +
+                            fileKindName(kind) + ".");
+  }
+  checkFaceIndices(path, surface);
+  return surface;
+}
+
+void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
+  const CoordinateSpace space = assume.value_or(surface.space);
+  if (space == CoordinateSpace::Unknown) {
+    return;
+  }
+  if (space == CoordinateSpace::TkRAS) {
+    if (!surface.geometry.valid) {
+      throw FormatError("surface",
+                        "tkRAS needs the volume geometry to become scanner RAS, but the file carries none; "
+                        "give a file with geometry or assert scanner RAS if that is what it holds.");
+    }
+    const auto m = surface.geometry.tkRasToScanner();
+    for (std::size_t i = 0; i + 2 < surface.points.size(); i += 3) {
+      const std::array<double, 3> p{surface.points[i], surface.points[i + 1], surface.points[i + 2]};
+      for (std::size_t row = 0; row < 3; ++row) {
+        surface.points[i + row] =
+            m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
+      }
+    }
+  }
+  if (assume) {
+    surface.spaceReason = std::string("asserted by the user as ") + coordinateSpaceName(space);
+  }
+  surface.space = CoordinateSpace::ScannerRAS;
+}
+
+}  // namespace authalic

@@ -1,0 +1,61 @@
+/// @file
+/// Triangle surfaces in files: FreeSurfer, GIFTI and OFF, and the space their coordinates live in.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Formats/Space.h"
+
+namespace authalic {
+
+/// A surface as its file holds it.
+struct SurfaceFile {
+  std::vector<double> points;  ///< 3n, x y z of each vertex in `space`, mm
+  std::vector<int> faces;      ///< 3m, vertex indices, counter-clockwise seen from outside
+  CoordinateSpace space = CoordinateSpace::Unknown;
+  std::string spaceReason = "nothing in the file says which space its coordinates live in";
+  VolumeGeometry geometry;                      ///< of the volume the surface was made from; check `valid`
+  std::map<std::string, std::string> metadata;  ///< GIFTI names: AnatomicalStructurePrimary, GeometricType …
+
+  [[nodiscard]] std::size_t vertexCount() const noexcept { return points.size() / 3; }
+  [[nodiscard]] std::size_t faceCount() const noexcept { return faces.size() / 3; }
+};
+
+/// Reads a FreeSurfer surface (triangle, old and new quadrangle), a GIFTI surface (.gii, also gzipped) or an
+/// ASCII OFF file; the kind is found from the content, not from the name.
+///
+/// Guarantees: every face index lies in [0, n); order of vertices and faces as in the file (polygons of OFF
+/// and quadrangles of FreeSurfer become triangles in place). Coordinates are passed as they are, NaN
+/// included: TriangleMesh refuses those.
+///
+/// Which space (decided by what the file states, never guessed):
+///  - FreeSurfer: "useRealRAS" set → scanner RAS; volume geometry in the footer → tkRAS; else unknown.
+///  - GIFTI: DataSpace NIFTI_XFORM_SCANNER_ANAT → scanner RAS; else VolGeom with a centre → tkRAS; else
+///  unknown.
+///    CoordinateSystemTransformMatrix is not applied (nor do Workbench and nibabel).
+///  - OFF: unknown.
+/// @throws FormatError when the file is missing, of another kind, truncated or inconsistent
+[[nodiscard]] SurfaceFile readSurface(const std::string& path);
+
+/// Brings points to scanner RAS: x = D P⁻¹ x_tk + c_ras for tkRAS (VolumeGeometry::tkRasToScanner).
+/// A surface of unknown space stays untouched and unknown unless `assume` asserts a space, which also
+/// overrides what the file says.
+/// @throws FormatError when tkRAS is asserted but the surface carries no volume geometry
+void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume = {});
+
+/// FreeSurfer triangle file. With a valid geometry the coordinates are stored in tkRAS with that geometry;
+/// scanner RAS without geometry is stored as is and marked useRealRAS; unknown space is stored as is,
+/// unmarked. Coordinates become 32-bit; metadata are lost. Written whole or not at all.
+/// @throws FormatError when the file cannot be written or there are too many vertices or faces for it
+void writeFreeSurferSurface(const std::string& path, const SurfaceFile& surface);
+
+/// ASCII OFF with all digits of the doubles. Space, geometry and metadata are lost. Written whole or not at
+/// all.
+/// @throws FormatError when the file cannot be written
+void writeOff(const std::string& path, const SurfaceFile& surface);
+
+}  // namespace authalic

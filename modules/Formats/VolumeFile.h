@@ -1,0 +1,60 @@
+/// @file
+/// Volumes in files: NIfTI-1, NIfTI-2 and MGH.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "Core/imaging/Volume.h"
+#include "Formats/Space.h"
+
+namespace authalic {
+
+/// One frame of a volume file, values scaled, with its place in space.
+struct VolumeFile {
+  /// Whole numbers without scaling stay exact as a LabelVolume when each fits 32 bits; everything else is
+  /// 32-bit floating point, NaN kept.
+  std::variant<ScalarVolume, LabelVolume> volume;
+  int frames = 1;  ///< in the file; `volume` is one of them
+  CoordinateSpace space =
+      CoordinateSpace::Unknown;  ///< ScannerRAS, or Unknown when the file does not orient itself
+  std::string spaceReason;
+  std::vector<std::string> warnings;  ///< sform and qform disagree, no units, …
+
+  [[nodiscard]] bool isInteger() const noexcept { return std::holds_alternative<LabelVolume>(volume); }
+  [[nodiscard]] const std::array<int, 3>& dimensions() const;
+  /// Voxel centre (i, j, k, 1) → scanner RAS mm.
+  [[nodiscard]] const Eigen::Matrix4d& voxelToWorld() const;
+  /// The values as 32-bit floating point; whole numbers beyond 2^24 are rounded.
+  [[nodiscard]] ScalarVolume scalars() const;
+  /// The values as whole numbers.
+  /// @throws FormatError when one is not a whole number of 32 bits, naming its voxel and `path`
+  [[nodiscard]] LabelVolume labels(const std::string& path = "volume") const;
+};
+
+/// Reads one frame of a NIfTI-1 or NIfTI-2 file (.nii, .hdr/.img, either gzipped) or of an .mgh/.mgz.
+///
+/// NIfTI: affine from the sform if its code is > 0, else the qform, else the voxel sizes alone (space
+/// Unknown); a non-finite or singular one is passed over with a warning, and a disagreement of both of more
+/// than 1e-3 mm is a warning. Units of length are converted to mm; scl_slope and scl_inter are applied, slope
+/// 0 meaning none. Orientation is interpreted by libnifti2; voxels are read here, because libnifti2 turns NaN
+/// into 0. MGH: affine from the direction cosines and the centre at dims/2; without goodRAS FreeSurfer's
+/// coronal default, space Unknown.
+///
+/// Memory grows with the data that are really there, never with what a header claims.
+/// @param frame  0-based among the third and higher dimensions
+/// @throws FormatError when the file is missing, of another kind, truncated, compressed data are damaged, the
+/// header
+///         contradicts itself, the frame does not exist, or the type is RGB, complex, binary or quadruple
+[[nodiscard]] VolumeFile readVolume(const std::string& path, int frame = 0);
+
+/// NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
+/// orthogonal, with code 1 (scanner). Affines become 32-bit. Written whole or not at all.
+/// @throws FormatError when a dimension exceeds 32767 or the file cannot be written
+void writeVolume(const std::string& path, const ScalarVolume& volume);
+void writeVolume(const std::string& path, const LabelVolume& volume);
+
+}  // namespace authalic
