@@ -16,6 +16,7 @@
 #include <vtkSmartPointer.h>
 
 #include "Core/base/Error.h"
+#include "FieldArrays.h"
 
 namespace authalic {
 namespace {
@@ -91,6 +92,19 @@ Volume emptyVolume(vtkImageData* image) {
 TriangleMesh toTriangleMesh(vtkPolyData* surface, const std::string& role) {
   requireTrianglesOnly(surface, role);
   return TriangleMesh(toPoints(surface), toFaces(surface, role));
+}
+
+TriangleMesh surfaceOfMap(vtkPolyData* map) {
+  const TriangleMesh image = toTriangleMesh(map, "map");
+  vtkDataArray* original = requireArray(map->GetPointData(), "OriginalPoints", 3, "map");
+  Points3 points(image.vertexCount(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) original->GetTuple(i, points.row(i).data());
+  return TriangleMesh(points, image.faces());
+}
+
+TriangleMesh surfaceOf(vtkPolyData* surfaceOrMap) {
+  const bool isMap = surfaceOrMap && surfaceOrMap->GetPointData()->HasArray("OriginalPoints");
+  return isMap ? surfaceOfMap(surfaceOrMap) : toTriangleMesh(surfaceOrMap);
 }
 
 void setPoints(vtkPolyData* output, const Points3& points) {

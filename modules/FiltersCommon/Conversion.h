@@ -21,6 +21,12 @@ namespace authalic {
 [[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT TriangleMesh toTriangleMesh(vtkPolyData* surface,
                                                                           const std::string& role = "surface");
 
+/// The surface of a map: its point array OriginalPoints with the map's triangles.
+/// @throws InvalidArgument when the array is not there
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT TriangleMesh surfaceOfMap(vtkPolyData* map);
+/// surfaceOfMap() when there is an array OriginalPoints, else toTriangleMesh().
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT TriangleMesh surfaceOf(vtkPolyData* surfaceOrMap);
+
 /// Replaces points (double precision) and triangles of `output`; its arrays are left alone.
 VTKAUTHALICFILTERSCOMMON_EXPORT void setMesh(vtkPolyData* output, const TriangleMesh& mesh);
 /// Replaces the points (double precision) alone.

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -54,14 +53,6 @@ Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& sur
   setPoints(map, image);
   addDistortion(map, distortion);
   return distortion;
-}
-
-TriangleMesh surfaceOfMap(vtkPolyData* map) {
-  const TriangleMesh image = toTriangleMesh(map, "map");
-  vtkDataArray* original = requireArray(map->GetPointData(), "OriginalPoints", 3, "map");
-  Points3 points(image.vertexCount(), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) original->GetTuple(i, points.row(i).data());
-  return TriangleMesh(points, image.faces());
 }
 
 }  // namespace authalic

@@ -21,8 +21,4 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input,
                                                              const TriangleMesh& surface, const Points2& image,
                                                              const Eigen::VectorXd& target = {});
 
-/// The surface of a map: OriginalPoints with the map's triangles.
-/// @throws InvalidArgument when the array is not there
-[[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TriangleMesh surfaceOfMap(vtkPolyData* map);
-
 }  // namespace authalic
