@@ -65,3 +65,25 @@ TEST(ElementGrid, CutsADiskIntoCongruentInteriorCellsAndARim) {
     EXPECT_TRUE(!element.interior || corner < 1.0);
   }
 }
+
+/// Lambert's azimuthal equal-area map of a spherical cap: r = sin(θ/2) / sin(opening/2).
+TEST(ElementGrid, ApproachesEqualAreasOnLambertsMapWithSecondOrder) {
+  constexpr double kOpening = 1.5;
+  double coarse = 0;
+  for (const int rings : {20, 40, 80}) {
+    const TriangleMesh cap = capMesh(rings, kOpening);
+    Points2 image(cap.vertexCount(), 2);
+    for (int v = 0; v < cap.vertexCount(); ++v) {
+      const Eigen::Vector3d p = cap.point(v);
+      const double rim = std::hypot(p[0], p[1]), radius = std::sin(std::atan2(rim, p[2]) / 2) / std::sin(kOpening / 2);
+      image.row(v) << (rim > 0 ? p[0] / rim * radius : 0), (rim > 0 ? p[1] / rim * radius : 0);
+    }
+    const ElementGrid grid = elementGrid(cap, image, {100});
+    EXPECT_GT(grid.deviation.interiorElements, 60);
+    if (coarse > 0) {
+      EXPECT_GT(coarse / grid.deviation.interiorMean, 3.5) << rings;
+    }
+    coarse = grid.deviation.interiorMean;
+  }
+  EXPECT_LT(coarse, 1e-3);
+}

@@ -24,12 +24,12 @@ enum class Interpolation {
 /// With c = worldToVoxel · x in voxel units (voxel centres at integers, n voxels along the axis):
 ///  - **Trilinear**: the product of three linear interpolations between the 8 surrounding centres. The field of
 ///    view is the box of voxel centres, 0 ≤ c ≤ n − 1 on every axis; a point outside by no more than 1e-6 voxel
-///    counts as on the face of that box, so that rounding in the affine loses no face. A corner that is NaN and
+///    counts as on the face of that box, so that rounding in the affine loses no face. A corner that is not finite and
 ///    has a weight above 1e-9 makes the value n/a; corners without weight do not matter.
 ///  - **Nearest**: the voxel ⌊c + ½⌋, so that a tie goes to the higher index. The field of view is what the
 ///    voxels cover, −½ ≤ c < n − ½ on every axis.
 ///
-/// No value (std::nullopt) means: outside the field of view, or a voxel without data (NaN). It is never 0.
+/// No value (std::nullopt) means: outside the field of view, or a voxel without data (NaN, infinite). It is never 0.
 /// Keeps a reference to the volume. Complexity: constant per point.
 ///
 /// @throws InvalidArgument when the matrix is not invertible or the number of values is not that of the lattice.
@@ -87,17 +87,20 @@ std::optional<double> Interpolator<T>::trilinear(const Eigen::Vector3d& voxel) c
     low[axis] = std::min(static_cast<int>(inside), std::max(volume_.dimensions[axis] - 2, 0));
     part[axis] = inside - low[axis];
   }
-  double sum = 0.0;
+  double first = 0.0, sum = 0.0;
+  bool any = false;
   for (unsigned corner = 0; corner < 8; ++corner) {
     const int di = corner & 1u, dj = (corner >> 1u) & 1u, dk = (corner >> 2u) & 1u;
     const double weight = (di ? part[0] : 1 - part[0]) * (dj ? part[1] : 1 - part[1]) *
                           (dk ? part[2] : 1 - part[2]);
     if (weight <= kNoWeight) continue;
     const double value = static_cast<double>(volume_.at(low[0] + di, low[1] + dj, low[2] + dk));
-    if (std::isnan(value)) return std::nullopt;
-    sum += weight * value;
+    if (!std::isfinite(value)) return std::nullopt;
+    if (!any) first = value;
+    any = true;
+    sum += weight * (value - first);  // differences, so that equal voxels give exactly their value
   }
-  return sum;
+  return first + sum;
 }
 
 template <class T>
@@ -109,7 +112,7 @@ std::optional<double> Interpolator<T>::nearest(const Eigen::Vector3d& voxel) con
     index[axis] = static_cast<int>(std::floor(c + 0.5));
   }
   const double value = static_cast<double>(volume_.at(index[0], index[1], index[2]));
-  if (std::isnan(value)) return std::nullopt;
+  if (!std::isfinite(value)) return std::nullopt;
   return value;
 }
 
