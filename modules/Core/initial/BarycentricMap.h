@@ -49,7 +49,7 @@ struct BarycentricMapResult {
 /// of the disk, first corner) is fixed by `startVertex`, so that a run can be repeated bit by bit.
 ///
 /// Guarantees: with Uniform or MeanValue weights on a convex domain no face flips, up to rounding, also where ear
-/// triangles lie on a straight side (they are bulged out of it, `boundary.pocketCount`). Harmonic weights are
+/// triangles lie on a straight side (they are bulged out of it, `boundary.pockets`). Harmonic weights are
 /// negative across obtuse angle pairs, and on a non-convex polygon no weights help: then faces may flip
 /// → `flippedFaces`. The harmonic image minimises the Dirichlet energy for its boundary. On a closed flat convex
 /// patch whose boundary is given to itself all but Uniform reproduce the identity.

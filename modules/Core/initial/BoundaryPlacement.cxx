@@ -114,7 +114,7 @@ double markPocket(const DiskMesh& disk, const Eigen::VectorXd& areas, int from, 
     area += areas[f];
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
       const int a = topology.tail(h), b = topology.head(h);
-      if (a != from && a != to) placement.pocketVertex[at(a)] = 1;
+      if (a != from && a != to) placement.pocketOf[at(a)] = static_cast<int>(placement.pockets.size()) - 1;
       const bool chord = (a == from && b == to) || (a == to && b == from);
       if (!chord && topology.opposite(h) >= 0) open.push_back(topology.opposite(h) / 3);
     }
@@ -126,7 +126,7 @@ double markPocket(const DiskMesh& disk, const Eigen::VectorXd& areas, int from, 
 void treatPockets(const DiskMesh& disk, const PlanarDomain& domain, const std::vector<double>* arc,
                   BoundaryPlacement& placement) {
   placement.inPocket.assign(at(disk.mesh().faceCount()), 0);
-  placement.pocketVertex.assign(at(disk.mesh().vertexCount()), 0);
+  placement.pocketOf.assign(at(disk.mesh().vertexCount()), -1);
   if (domain.isDisk()) return;
   const std::vector<std::array<int, 2>> chords = findChords(disk, placement);
   if (chords.empty()) return;
@@ -135,6 +135,7 @@ void treatPockets(const DiskMesh& disk, const PlanarDomain& domain, const std::v
   const auto& v = placement.vertices;
   for (const auto& [low, high] : chords) {
     const int n = static_cast<int>(v.size());
+    placement.pockets.push_back({v[at(low)], v[at(high % n)]});
     const double area = markPocket(disk, areas, v[at(low)], v[at(low + 1)], v[at(high % n)], placement);
     const Eigen::RowVector2d a = placement.points.row(low), b = placement.points.row(high % n);
     const double chord = (b - a).norm(), sag = std::clamp(1.5 * area * scale / chord, 1e-9 * chord, 0.25 * chord);
@@ -145,7 +146,6 @@ void treatPockets(const DiskMesh& disk, const PlanarDomain& domain, const std::v
       const double t = ((*arc)[at(i)] - (*arc)[at(low)]) / ((*arc)[at(high)] - (*arc)[at(low)]);
       placement.points.row(i) = a + t * (b - a) + 4 * t * (1 - t) * sag * outwards;
     }
-    ++placement.pocketCount;
   }
 }
 

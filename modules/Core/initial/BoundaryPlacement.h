@@ -2,6 +2,7 @@
 /// Where the boundary loop of a disk goes on the boundary of a planar domain.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "Core/geometry/PlanarDomain.h"
@@ -31,8 +32,8 @@ struct BoundaryPlacement {
   Points2 points;                  ///< place per entry
   std::vector<int> corners;        ///< entries that are corners, in the order of the polygon's corners
   std::vector<char> inPocket;      ///< per face of the mesh: 1 when it belongs to a pocket
-  std::vector<char> pocketVertex;  ///< per vertex of the mesh: 1 when it lies in a pocket, chord ends excepted
-  int pocketCount = 0;
+  std::vector<int> pocketOf;       ///< per vertex of the mesh: pocket it lies in (chord ends excepted) or −1
+  std::vector<std::array<int, 2>> pockets;  ///< vertices at the two ends of each pocket's chord
 };
 
 /// Spread the boundary over the domain's by arc length (mm).

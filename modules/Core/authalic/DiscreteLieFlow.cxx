@@ -1,0 +1,104 @@
+#include "Core/authalic/DiscreteLieFlow.h"
+
+#include <chrono>
+#include <string>
+
+#include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/Unfold.h"
+#include "Core/base/Error.h"
+#include "Core/geometry/Areas.h"
+
+namespace authalic {
+namespace {
+
+void require(bool condition, const std::string& required, double found) {
+  if (condition) return;
+  throw InvalidArgument("Discrete Lie flow: " + required + " is required, but it is " + std::to_string(found) + ".");
+}
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void requireMatching(const DiskMesh& disk, const TargetMeasure& target) {
+  if (target.faces().size() == disk.mesh().faceCount() && target.vertices().size() == disk.mesh().vertexCount()) return;
+  throw GeometryError("A target measure for the " + std::to_string(disk.mesh().faceCount()) +
+                      " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
+                      "; build it from the same surface.");
+}
+
+Points2 startingImage(const DiskMesh& disk, const BoundaryPlacement& placement, const Points2& initial,
+                      const Execution& execution) {
+  Points2 image = initial;
+  for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
+    image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
+  }
+  UnfoldResult unfolded = unfold(disk.topology(), image, execution);
+  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
+    throw GeometryError("An initial map that can be unfolded is required, but " +
+                        std::to_string(unfolded.flippedFaces) +
+                        " faces stay folded; start from a tutte or mean-value map to a convex domain.");
+  }
+  return unfolded.image;
+}
+
+void measureResult(const DiskMesh& disk, const TargetMeasure& target, double tolerance, DiscreteLieFlowResult& result) {
+  const Faces& faces = disk.mesh().faces();
+  const Eigen::VectorXd stars = vertexStars(signedFaceAreas(result.image, faces), faces, disk.mesh().vertexCount());
+  result.residual = measureStars(stars, target.vertices()).residual;
+  result.flippedFaces = countFlippedFaces(result.image, faces);
+  const bool good = result.residual <= tolerance && result.flippedFaces == 0;
+  if (result.status == Status::Converged && !good) result.status = Status::NotConverged;
+}
+
+}  // namespace
+
+void DiscreteLieFlowOptions::validate() const {
+  require(tolerance > 0, "a tolerance above 0", tolerance);
+  require(flowTolerance > 0, "a flow tolerance above 0", flowTolerance);
+  require(maxIterations >= 0, "a number of iterations of at least 0", maxIterations);
+  require(maxFinishIterations >= 0, "a number of finishing iterations of at least 0", maxFinishIterations);
+  require(stepRatio > 0 && stepRatio < 1, "a step ratio between 0 and 1", stepRatio);
+  require(fixedStep >= 0 && fixedStep <= 1, "a fixed step from 0 (adaptive) to 1", fixedStep);
+  if (!SparseSolver::available(solver)) {
+    throw InvalidArgument("A solver that is part of this build is required, but " +
+                          std::string(solverBackendName(solver)) + " was not built in.");
+  }
+}
+
+DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initial, const TargetMeasure& target,
+                                      const DiscreteLieFlowOptions& options, const Execution& execution) {
+  options.validate();
+  requireMatching(disk, target);
+  const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, initial);
+  DiscreteLieFlowResult result;
+  result.image = startingImage(disk, placement, initial, execution);
+  const SlidingBoundary sliding(placement, options.domain, result.image);
+
+  Stopwatch watch;
+  flowWithFlips(disk, placement, sliding, target, options, execution.part(0, 0.6), result);
+  result.flowSeconds = watch.lap();
+  result.flippedBeforeFinish = countFlippedFaces(result.image, disk.mesh().faces());
+  if (options.finish != LieFlowFinish::None) {
+    result.image = unfold(disk.topology(), result.image).image;
+    result.unfoldSeconds = watch.lap();
+  }
+  if (options.finish == LieFlowFinish::Match && result.status != Status::Cancelled) {
+    matchAreas(disk, sliding, target, options, execution.part(0.6, 1), result);
+    result.finishSeconds = watch.lap();
+  }
+  measureResult(disk, target, options.tolerance, result);
+  execution.report(1, "Discrete Lie flow");
+  return result;
+}
+
+}  // namespace authalic

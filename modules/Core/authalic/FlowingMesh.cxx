@@ -1,0 +1,88 @@
+#include "Core/authalic/FlowingMesh.h"
+
+#include "Core/mesh/SurfaceTopology.h"
+
+namespace authalic {
+namespace {
+
+Faces withoutFrozen(const Faces& faces, const std::vector<char>& frozen) {
+  if (frozen.empty()) return faces;
+  Faces kept(faces.rows(), 3);
+  Eigen::Index count = 0;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    if (!frozen[static_cast<std::size_t>(f)]) kept.row(count++) = faces.row(f);
+  }
+  return kept.topRows(count);
+}
+
+// Cross and dot product of the edge vectors a − c and b − c.
+struct Corner {
+  double cross, dot;
+  Corner(const Points2& p, int a, int b, int c) {
+    const double ux = p(a, 0) - p(c, 0), uy = p(a, 1) - p(c, 1), vx = p(b, 0) - p(c, 0), vy = p(b, 1) - p(c, 1);
+    cross = ux * vy - uy * vx;
+    dot = ux * vx + uy * vy;
+  }
+};
+
+}  // namespace
+
+FlowingMesh::FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen)
+    : faces_(withoutFrozen(faces, frozen)) {
+  const SurfaceTopology topology(faces_, vertexCount);
+  opposite_.resize(static_cast<std::size_t>(3 * faces_.rows()));
+  for (std::size_t h = 0; h < opposite_.size(); ++h) opposite_[h] = topology.opposite(static_cast<int>(h));
+}
+
+bool FlowingMesh::shouldFlip(const Points2& points, int h) const {
+  const int g = opposite_[static_cast<std::size_t>(h)];
+  if (g < 0) return false;
+  const int a = faces_(h / 3, h % 3), b = faces_(h / 3, (h + 1) % 3), c = faces_(h / 3, (h + 2) % 3),
+            d = faces_(g / 3, (g + 2) % 3);
+  const Corner atC(points, a, b, c), atD(points, b, a, d);
+  if (!(atC.cross > 0 && atD.cross > 0)) return false;
+  if (atC.dot * atD.cross + atD.dot * atC.cross >= -1e-12 * atC.cross * atD.cross) return false;  // cot + cot ≥ 0
+  const double first = Corner(points, a, d, c).cross, second = Corner(points, d, b, c).cross;
+  return first > 0 && second > 0;
+}
+
+void FlowingMesh::join(int h, int g) {
+  opposite_[static_cast<std::size_t>(h)] = g;
+  if (g >= 0) opposite_[static_cast<std::size_t>(g)] = h;
+}
+
+// Faces (a b c) and (b a d) become (c a d) and (d b c).
+void FlowingMesh::flip(int h) {
+  const int g = opposite_[static_cast<std::size_t>(h)], f = h / 3, e = g / 3;
+  const int a = faces_(f, h % 3), b = faces_(f, (h + 1) % 3), c = faces_(f, (h + 2) % 3), d = faces_(e, (g + 2) % 3);
+  const auto outside = [this](int face, int k) { return opposite_[static_cast<std::size_t>(3 * face + k % 3)]; };
+  const int bc = outside(f, h % 3 + 1), ca = outside(f, h % 3 + 2), ad = outside(e, g % 3 + 1),
+            db = outside(e, g % 3 + 2);
+  faces_.row(f) << c, a, d;
+  faces_.row(e) << d, b, c;
+  join(3 * f, ca);
+  join(3 * f + 1, ad);
+  join(3 * e, db);
+  join(3 * e + 1, bc);
+  join(3 * f + 2, 3 * e + 2);
+  for (const int k : {3 * f, 3 * f + 1, 3 * e, 3 * e + 1}) stack_.push_back(k);
+}
+
+int FlowingMesh::makeDelaunay(const Points2& points) {
+  const int halfEdges = static_cast<int>(3 * faces_.rows());
+  stack_.clear();
+  for (int h = halfEdges - 1; h >= 0; --h) {
+    if (opposite_[static_cast<std::size_t>(h)] > h && shouldFlip(points, h)) stack_.push_back(h);
+  }
+  int flips = 0;
+  while (!stack_.empty() && flips < 50 * halfEdges) {
+    const int h = stack_.back();
+    stack_.pop_back();
+    if (!shouldFlip(points, h)) continue;
+    flip(h);
+    ++flips;
+  }
+  return flips;
+}
+
+}  // namespace authalic

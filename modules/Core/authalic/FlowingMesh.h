@@ -1,0 +1,37 @@
+/// @file
+/// A planar triangulation whose edges flip while its vertices flow.
+#pragma once
+
+#include <vector>
+
+#include "Core/mesh/TriangleMesh.h"
+
+namespace authalic {
+
+/// Faces that may be re-triangulated by edge flips; the vertices and the outline stay.
+///
+/// Keeping the flowing mesh Delaunay gives cotangent weights that are not negative, and lets a vertex pass an edge
+/// that is in its way @cite su2019. The price: faces of the original mesh may fold meanwhile; count them there.
+class FlowingMesh {
+ public:
+  /// @param faces   m×3, manifold and oriented
+  /// @param frozen  m flags: faces left out of the flowing mesh (their inner edges become outline); empty = none
+  FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen = {});
+
+  /// Flip edges until every inner edge is Delaunay (opposite angles sum to at most π, up to 1e-12 in the cotangents).
+  /// @param points  n×2, every face counter-clockwise; stays so: an edge flips only inside a strictly convex quad
+  /// @return the number of flips
+  int makeDelaunay(const Points2& points);
+
+  [[nodiscard]] const Faces& faces() const noexcept { return faces_; }
+
+ private:
+  [[nodiscard]] bool shouldFlip(const Points2& points, int halfEdge) const;
+  void flip(int halfEdge);
+  void join(int halfEdge, int opposite);
+
+  Faces faces_;
+  std::vector<int> opposite_, stack_;
+};
+
+}  // namespace authalic

@@ -1,0 +1,76 @@
+#include "Core/authalic/TargetMeasure.h"
+
+#include <cmath>
+#include <string>
+
+#include "Core/base/Error.h"
+#include "Core/geometry/Areas.h"
+
+namespace authalic {
+namespace {
+
+constexpr double kSmallestTarget = 1e-6;  // of the mean
+
+void requireDensity(const Eigen::VectorXd& density, int count, const std::string& element) {
+  if (density.size() != count) {
+    throw GeometryError("A density of one value per " + element + " (" + std::to_string(count) +
+                        ") is required, but it has " + std::to_string(density.size()) +
+                        " values; take it from the same surface.");
+  }
+  for (Eigen::Index i = 0; i < density.size(); ++i) {
+    if (density[i] > 0 && std::isfinite(density[i])) continue;
+    throw InvalidArgument("A positive, finite density is required, but " + element + " " + std::to_string(i) +
+                          " has " + std::to_string(density[i]) + "; give small regions a small density, not zero.");
+  }
+}
+
+}  // namespace
+
+TargetMeasure::TargetMeasure(const TriangleMesh& surface)
+    : TargetMeasure(surface, Eigen::VectorXd::Ones(surface.faceCount())) {}
+
+TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd& faceDensity)
+    : faces_(faceAreas(surface).cwiseProduct(faceDensity)) {
+  const double total = faces_.sum();
+  if (!(total > 0) || !std::isfinite(total)) {
+    throw GeometryError("A surface with a positive, finite area is required, but its " +
+                        std::to_string(surface.faceCount()) + " faces have none.");
+  }
+  const double smallest = kSmallestTarget * total / static_cast<double>(faces_.size());
+  clampedFaces_ = static_cast<int>((faces_.array() < smallest).count());
+  faces_ = faces_.cwiseMax(smallest);
+  faces_ /= faces_.sum();
+  vertices_ = vertexStars(faces_, surface.faces(), surface.vertexCount());
+}
+
+TargetMeasure TargetMeasure::fromVertexDensity(const TriangleMesh& surface, const Eigen::VectorXd& density) {
+  requireDensity(density, surface.vertexCount(), "vertex");
+  Eigen::VectorXd ofFace(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    const auto corners = surface.faces().row(f);
+    ofFace[f] = (density[corners[0]] + density[corners[1]] + density[corners[2]]) / 3;
+  }
+  return TargetMeasure(surface, ofFace);
+}
+
+TargetMeasure TargetMeasure::fromFaceDensity(const TriangleMesh& surface, const Eigen::VectorXd& density) {
+  requireDensity(density, surface.faceCount(), "face");
+  return TargetMeasure(surface, density);
+}
+
+Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double factor) {
+  if (!(factor > 0) || !std::isfinite(factor)) {
+    throw InvalidArgument("A positive, finite factor is required, but it is " + std::to_string(factor) + ".");
+  }
+  Eigen::VectorXd density = Eigen::VectorXd::Ones(count);
+  for (const int index : region) {
+    if (index < 0 || index >= count) {
+      throw InvalidArgument("Indices from 0 to " + std::to_string(count - 1) + " are required in a region, but it has " +
+                            std::to_string(index) + ".");
+    }
+    density[index] = factor;
+  }
+  return density;
+}
+
+}  // namespace authalic

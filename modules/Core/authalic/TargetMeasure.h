@@ -1,0 +1,51 @@
+/// @file
+/// The measure that a map shall carry to the plane: surface area, or surface area times a density.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "Core/mesh/TriangleMesh.h"
+
+namespace authalic {
+
+/// Shares of the domain that the faces and vertex stars of a surface shall get; each sums to 1.
+///
+/// The target of face t is ρ_t A_t / Σ ρ A @cite su2019 (eq. 6): the density multiplies the *surface* area form,
+/// so that ρ = 4 on a region gives it four times the share per mm². A region's share is exact in this measure.
+/// Faces without surface area get 1e-6 of the mean target (`clampedFaces`): nothing can be mapped to a point.
+class TargetMeasure {
+ public:
+  /// ρ = 1: area-preserving.
+  /// @throws GeometryError when the surface has no area
+  explicit TargetMeasure(const TriangleMesh& surface);
+
+  /// @param density  n values > 0, one per vertex (unitless); a face takes the mean of its corners
+  /// @throws GeometryError   when the length is not n
+  /// @throws InvalidArgument when a density is zero, negative or not finite; the vertex is named
+  [[nodiscard]] static TargetMeasure fromVertexDensity(const TriangleMesh& surface, const Eigen::VectorXd& density);
+
+  /// @param density  m values > 0, one per face
+  /// @throws as fromVertexDensity
+  [[nodiscard]] static TargetMeasure fromFaceDensity(const TriangleMesh& surface, const Eigen::VectorXd& density);
+
+  /// m shares, > 0, sum 1.
+  [[nodiscard]] const Eigen::VectorXd& faces() const noexcept { return faces_; }
+  /// n shares: a third of the faces around each vertex, sum 1.
+  [[nodiscard]] const Eigen::VectorXd& vertices() const noexcept { return vertices_; }
+  /// Faces whose target was raised because they have no area.
+  [[nodiscard]] int clampedFaces() const noexcept { return clampedFaces_; }
+
+ private:
+  TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd& faceDensity);
+
+  Eigen::VectorXd faces_, vertices_;
+  int clampedFaces_ = 0;
+};
+
+/// A density of 1 everywhere and `factor` on the listed vertices (or faces): a region of interest.
+/// @throws InvalidArgument when the factor is not positive and finite, or an index is outside [0, count)
+[[nodiscard]] Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double factor);
+
+}  // namespace authalic
