@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Core/base/Error.h"
+#include "Core/imaging/BucketQueue.h"
 #include "Core/imaging/SimplePoint.h"
 
 namespace authalic {
@@ -12,36 +13,6 @@ namespace authalic {
 namespace {
 
 enum State : std::uint8_t { Free = 0, Queued = 1, Inside = 2 };
-
-// Buckets of voxels by priority, served from the highest; first in, first out within a bucket.
-class BucketQueue {
- public:
-  explicit BucketQueue(int levels) : buckets_(static_cast<std::size_t>(levels) + 1), heads_(buckets_.size(), 0) {}
-  void push(std::size_t voxel, int level) {
-    buckets_[static_cast<std::size_t>(level)].push_back(static_cast<std::uint32_t>(voxel));
-    top_ = std::max(top_, level);
-  }
-  // Returns false when empty.
-  bool pop(std::size_t& voxel) {
-    for (; top_ >= 0; --top_) {
-      auto& bucket = buckets_[static_cast<std::size_t>(top_)];
-      auto& head = heads_[static_cast<std::size_t>(top_)];
-      if (head < bucket.size()) {
-        voxel = bucket[head++];
-        return true;
-      }
-      std::vector<std::uint32_t>().swap(bucket);
-      head = 0;
-    }
-    top_ = 0;
-    return false;
-  }
-
- private:
-  std::vector<std::vector<std::uint32_t>> buckets_;
-  std::vector<std::size_t> heads_;
-  int top_ = 0;
-};
 
 class Growing {
  public:
