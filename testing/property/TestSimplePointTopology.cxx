@@ -17,7 +17,9 @@ namespace {
 
 using Cube = std::vector<char>;  // 3×3×3
 
-std::size_t at(int i, int j, int k) { return static_cast<std::size_t>(i + 3 * (j + 3 * k)); }
+std::size_t at(int i, int j, int k) {
+  return static_cast<std::size_t>(i + 3 * (j + 3 * k));
+}
 
 bool neighbours(const std::array<int, 3>& a, const std::array<int, 3>& b) {
   const std::array<int, 3> offset{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -98,8 +100,8 @@ TEST(SimplePoint, AgreesWithEulerNumbersAndComponentsOfRandomNeighbourhoods) {
     with[13] = 1;
     without[13] = 0;
     const bool expected = eulerNumber(with, 1) == eulerNumber(without, 1) &&
-                          eulerNumber(with, 0) == eulerNumber(without, 0) && componentsAroundCentre(with, 1) == 1 &&
-                          componentsAroundCentre(with, 0) == 1;
+                          eulerNumber(with, 0) == eulerNumber(without, 0) &&
+                          componentsAroundCentre(with, 1) == 1 && componentsAroundCentre(with, 0) == 1;
     ASSERT_EQ(isSimplePoint(static_cast<std::uint16_t>(bits)), expected) << "neighbourhood " << bits;
     simple += expected;
   }

@@ -37,6 +37,7 @@ TEST(SimplePoint, EndOfALineIsSimpleAndItsMiddleIsNot) {
 
 TEST(SimplePoint, IsTheSameForObjectAndBackground) {
   for (unsigned set = 0; set < 1u << 14; ++set) {
-    EXPECT_EQ(isSimplePoint(static_cast<std::uint16_t>(set)), isSimplePoint(static_cast<std::uint16_t>(~set & 0x3fff)));
+    EXPECT_EQ(isSimplePoint(static_cast<std::uint16_t>(set)),
+              isSimplePoint(static_cast<std::uint16_t>(~set & 0x3fff)));
   }
 }

@@ -13,7 +13,8 @@ namespace authalic {
 
 namespace {
 
-// Neighbours of every vertex in compressed rows; on a closed mesh each is the head of one half-edge of the vertex.
+// Neighbours of every vertex in compressed rows; on a closed mesh each is the head of one half-edge of the
+// vertex.
 struct Neighbours {
   std::vector<int> first, list;
 };
@@ -29,13 +30,15 @@ Neighbours neighboursOf(const Faces& faces, int vertexCount) {
   std::vector<int> next(out.first.begin(), out.first.end() - 1);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      out.list[static_cast<std::size_t>(next[static_cast<std::size_t>(faces(f, k))]++)] = faces(f, (k + 1) % 3);
+      out.list[static_cast<std::size_t>(next[static_cast<std::size_t>(faces(f, k))]++)] =
+          faces(f, (k + 1) % 3);
     }
   }
   return out;
 }
 
-void umbrellaStep(const Points3& from, Points3& to, const Neighbours& graph, double factor, const Execution& execution) {
+void umbrellaStep(const Points3& from, Points3& to, const Neighbours& graph, double factor,
+                  const Execution& execution) {
   parallelFor(static_cast<std::size_t>(from.rows()), execution, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const auto row = static_cast<Eigen::Index>(v);
@@ -95,27 +98,33 @@ void offsetToVolume(Points3& x, const Faces& faces, double wanted) {
 void requireClosed(const TriangleMesh& mesh) {
   const SurfaceTopology topology(mesh.faces(), mesh.vertexCount());
   if (topology.manifold() && topology.boundaryLoops().empty()) return;
-  throw TopologyError("A closed manifold surface is required for smoothing, but there are " +
-                      std::to_string(topology.boundaryLoops().size()) + " boundary loops, " +
-                      std::to_string(topology.nonManifoldEdges().size() + topology.inconsistentEdges().size()) +
-                      " bad edges and " + std::to_string(topology.nonManifoldVertices().size()) +
-                      " bad vertices; repair the surface first.");
+  throw TopologyError(
+      "A closed manifold surface is required for smoothing, but there are " +
+      std::to_string(topology.boundaryLoops().size()) + " boundary loops, " +
+      std::to_string(topology.nonManifoldEdges().size() + topology.inconsistentEdges().size()) +
+      " bad edges and " + std::to_string(topology.nonManifoldVertices().size()) +
+      " bad vertices; repair the surface first.");
 }
 
 }  // namespace
 
 void SmoothingOptions::validate() const {
   if (iterations < 0 || iterations > 1000) {
-    throw InvalidArgument("Smoothing iterations must lie in [0, 1000], but there are " + std::to_string(iterations) + ".");
+    throw InvalidArgument("Smoothing iterations must lie in [0, 1000], but there are " +
+                          std::to_string(iterations) + ".");
   }
   if (!(passBand > 0 && passBand < 1)) {
-    throw InvalidArgument("The pass band of smoothing must lie in (0, 1), but it is " + std::to_string(passBand) + ".");
+    throw InvalidArgument("The pass band of smoothing must lie in (0, 1), but it is " +
+                          std::to_string(passBand) + ".");
   }
 }
 
-double enclosedVolume(const TriangleMesh& mesh) { return volumeOf(mesh.points(), mesh.faces()); }
+double enclosedVolume(const TriangleMesh& mesh) {
+  return volumeOf(mesh.points(), mesh.faces());
+}
 
-SmoothedSurface smoothSurface(const TriangleMesh& mesh, const SmoothingOptions& options, const Execution& execution) {
+SmoothedSurface smoothSurface(const TriangleMesh& mesh, const SmoothingOptions& options,
+                              const Execution& execution) {
   options.validate();
   requireClosed(mesh);
   const Faces& faces = mesh.faces();

@@ -62,7 +62,10 @@ class CoarseBrain {
   void collectBrain() {
     double sum = 0;
     for (const float value : image_.values) sum += value;
-    const double least = 0.5 * sum / std::max<double>(1, static_cast<double>(std::count_if(image_.values.begin(), image_.values.end(), [](float x) { return x > 0; })));
+    const double least =
+        0.5 * sum /
+        std::max<double>(1, static_cast<double>(std::count_if(image_.values.begin(), image_.values.end(),
+                                                              [](float x) { return x > 0; })));
     for (int k = 0; k < image_.dimensions[2]; ++k) {
       for (int j = 0; j < image_.dimensions[1]; ++j) {
         for (int i = 0; i < image_.dimensions[0]; ++i) {
@@ -140,14 +143,16 @@ Plane search(Plane plane, double step, double angle, const Cost& cost) {
   return plane;
 }
 
-// The 0.5 and 99.5 percentiles of an average brain: MNI x from −65.2 to 65.2, y from −97 to 65.5, top at z = 76.
+// The 0.5 and 99.5 percentiles of an average brain: MNI x from −65.2 to 65.2, y from −97 to 65.5, top at z
+// = 76.
 constexpr double kHalfWidth = 65.2, kLength = 162.5, kMiddleY = -15.75, kTop = 76.0;
 
 void requireBrainSize(double width, double length) {
   if (width >= 70 && width <= 200 && length >= 100 && length <= 240) return;
-  throw GeometryError("A human brain 70 to 200 mm wide and 100 to 240 mm long is required, but the image shows something " +
-                      std::to_string(static_cast<int>(width)) + " mm wide and " + std::to_string(static_cast<int>(length)) +
-                      " mm long; check the voxel size in the header and strip the skull.");
+  throw GeometryError(
+      "A human brain 70 to 200 mm wide and 100 to 240 mm long is required, but the image shows something " +
+      std::to_string(static_cast<int>(width)) + " mm wide and " + std::to_string(static_cast<int>(length)) +
+      " mm long; check the voxel size in the header and strip the skull.");
 }
 
 }  // namespace
@@ -179,7 +184,8 @@ BrainFrame findBrainFrame(const ScalarVolume& t1, const MaskVolume& mask, const 
   requireBrainSize(width, front - back);
   const double sx = 2 * kHalfWidth / width, sy = kLength / (front - back), sz = 0.5 * (sx + sy);
   const Eigen::Vector3d scale(sx, sy, sz);
-  const Eigen::Vector3d shift(-sx * middle, kMiddleY - sy * 0.5 * (front + back), kTop - sz * percentile(along[2], 0.995));
+  const Eigen::Vector3d shift(-sx * middle, kMiddleY - sy * 0.5 * (front + back),
+                              kTop - sz * percentile(along[2], 0.995));
   frame.worldToFrame.topLeftCorner<3, 3>() = scale.asDiagonal() * axes;
   frame.worldToFrame.topRightCorner<3, 1>() = shift;
   return frame;

@@ -9,11 +9,12 @@
 
 namespace authalic {
 
-/// Voxels by priority, served from the highest; first in, first out within a priority, so that a flood that uses it is
-/// deterministic. Priorities in [0, levels]; at most 2^32 voxels. push and pop are O(1) amortised.
+/// Voxels by priority, served from the highest; first in, first out within a priority, so that a flood that
+/// uses it is deterministic. Priorities in [0, levels]; at most 2^32 voxels. push and pop are O(1) amortised.
 class BucketQueue {
  public:
-  explicit BucketQueue(int levels) : buckets_(static_cast<std::size_t>(levels) + 1), heads_(buckets_.size(), 0) {}
+  explicit BucketQueue(int levels)
+      : buckets_(static_cast<std::size_t>(levels) + 1), heads_(buckets_.size(), 0) {}
 
   void push(std::size_t voxel, int priority) {
     buckets_[static_cast<std::size_t>(priority)].push_back(static_cast<std::uint32_t>(voxel));

@@ -7,7 +7,8 @@ namespace authalic {
 
 namespace {
 
-// Even-odd rule on the sagittal outline (y, z) below the corpus callosum: splenium, body, genu, rostrum, chiasm, midbrain.
+// Even-odd rule on the sagittal outline (y, z) below the corpus callosum: splenium, body, genu, rostrum,
+// chiasm, midbrain.
 bool inSagittalOutline(double y, double z) {
   static constexpr std::array<std::array<double, 2>, 13> outline{{{-37, 13},
                                                                   {-33, 20},
@@ -34,7 +35,9 @@ bool inEllipsoid(const Eigen::Vector3d& p, const Eigen::Vector3d& centre, const 
   return (p - centre).cwiseQuotient(axes).squaredNorm() < 1;
 }
 
-double midbrainPlane(double y) { return -10.0 - 0.08 * (y + 16.0); }
+double midbrainPlane(double y) {
+  return -10.0 - 0.08 * (y + 16.0);
+}
 
 }  // namespace
 

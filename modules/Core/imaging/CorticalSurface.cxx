@@ -78,7 +78,8 @@ VolumeOf<std::int16_t> growthPriority(const Hemisphere& h, double sealing, const
   for (std::size_t v = 0; v < priority.size(); ++v) {
     const float contrast = h.filled.values[v] ? 1.0f : h.contrast.values[v];
     if (h.white.values[v]) {
-      priority.values[v] = static_cast<std::int16_t>(1 + 1000 * std::min(30.0f, depth.values[v]) + 499 * std::max(0.0f, contrast));
+      priority.values[v] = static_cast<std::int16_t>(1 + 1000 * std::min(30.0f, depth.values[v]) +
+                                                     499 * std::max(0.0f, contrast));
     } else if (!h.foreign.values[v] && height.values[v] <= reach && contrast > -0.6f) {
       priority.values[v] = static_cast<std::int16_t>(-1 - 1000 * std::min(1.0f, -contrast));
     }
@@ -87,8 +88,10 @@ VolumeOf<std::int16_t> growthPriority(const Hemisphere& h, double sealing, const
 }
 
 std::array<int, 3> deepest(const VolumeOf<std::int16_t>& priority) {
-  const auto at = static_cast<std::size_t>(std::max_element(priority.values.begin(), priority.values.end()) - priority.values.begin());
-  const auto nx = static_cast<std::size_t>(priority.dimensions[0]), ny = static_cast<std::size_t>(priority.dimensions[1]);
+  const auto at = static_cast<std::size_t>(std::max_element(priority.values.begin(), priority.values.end()) -
+                                           priority.values.begin());
+  const auto nx = static_cast<std::size_t>(priority.dimensions[0]),
+             ny = static_cast<std::size_t>(priority.dimensions[1]);
   return {static_cast<int>(at % nx), static_cast<int>(at / nx % ny), static_cast<int>(at / (nx * ny))};
 }
 
@@ -114,8 +117,8 @@ double areaOf(const TriangleMesh& mesh) {
   return sum;
 }
 
-HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const CorticalSurfaceOptions& options, StopWatch& watch,
-                              const Execution& execution) {
+HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const CorticalSurfaceOptions& options,
+                              StopWatch& watch, const Execution& execution) {
   const std::string name = side == kLeft ? "left " : "right ";
   const Hemisphere h = cutOut(wm, side);
   HemisphereSurface out;
@@ -134,7 +137,8 @@ HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const Co
   SmoothedSurface smoothed = smoothSurface(mesh, options.smoothing, execution.part(0.45, 0.6));
   out.turnedFaces = smoothed.turnedFaces;
   watch.lap(name + "smoothing");
-  out.mesh = options.targetFaces > 0 ? decimate(smoothed.mesh, options.targetFaces, execution.part(0.6, 0.95)) : std::move(smoothed.mesh);
+  out.mesh = options.targetFaces > 0 ? decimate(smoothed.mesh, options.targetFaces, execution.part(0.6, 0.95))
+                                     : std::move(smoothed.mesh);
   watch.lap(name + "decimation");
   out.medialWall = findMedialWall(out.mesh, h.filled, h.foreign, options.medialWallReach, execution);
   watch.lap(name + "medial wall");
@@ -154,14 +158,18 @@ std::string number(const char* format, double value) {
 
 void warnAbout(const HemisphereSurface& h, const std::string& side, std::vector<std::string>& warnings) {
   if (h.area < 40000 || h.area > 140000) {
-    warnings.push_back("The " + side + " white surface has " + number("%.0f", h.area / 100) + " cm², outside the usual 400 to 1400.");
+    warnings.push_back("The " + side + " white surface has " + number("%.0f", h.area / 100) +
+                       " cm², outside the usual 400 to 1400.");
   }
   if (h.medialWallShare > 0.25) {
-    warnings.push_back("The " + side + " medial wall takes " + number("%.0f", 100 * h.medialWallShare) + " % of the surface, more than the usual 25.");
+    warnings.push_back("The " + side + " medial wall takes " + number("%.0f", 100 * h.medialWallShare) +
+                       " % of the surface, more than the usual 25.");
   }
   if (static_cast<double>(h.cutVoxels) > 0.05 * static_cast<double>(h.voxels)) {
-    warnings.push_back("Making the " + side + " hemisphere a sphere cut " + number("%.1f", 100.0 * static_cast<double>(h.cutVoxels) / static_cast<double>(h.voxels)) +
-                       " % of its voxels; the image may be noisy or the threshold wrong.");
+    warnings.push_back(
+        "Making the " + side + " hemisphere a sphere cut " +
+        number("%.1f", 100.0 * static_cast<double>(h.cutVoxels) / static_cast<double>(h.voxels)) +
+        " % of its voxels; the image may be noisy or the threshold wrong.");
   }
 }
 
@@ -174,14 +182,17 @@ void CorticalSurfaceOptions::validate() const {
     throw InvalidArgument("Sealing must lie in [0, 5] voxels, but it is " + std::to_string(sealing) + ".");
   }
   if (targetFaces != 0 && targetFaces < 1000) {
-    throw InvalidArgument("The target must be 0 (no decimation) or at least 1000 faces, but it is " + std::to_string(targetFaces) + ".");
+    throw InvalidArgument("The target must be 0 (no decimation) or at least 1000 faces, but it is " +
+                          std::to_string(targetFaces) + ".");
   }
   if (!(medialWallReach > 0 && medialWallReach <= 10)) {
-    throw InvalidArgument("The reach of the medial wall must lie in (0, 10] mm, but it is " + std::to_string(medialWallReach) + ".");
+    throw InvalidArgument("The reach of the medial wall must lie in (0, 10] mm, but it is " +
+                          std::to_string(medialWallReach) + ".");
   }
 }
 
-CorticalSurfaceResult extractCorticalSurfaces(const ScalarVolume& t1, const LabelVolume* labels, const CorticalSurfaceOptions& options,
+CorticalSurfaceResult extractCorticalSurfaces(const ScalarVolume& t1, const LabelVolume* labels,
+                                              const CorticalSurfaceOptions& options,
                                               const Execution& execution) {
   options.validate();
   CorticalSurfaceResult out;

@@ -87,7 +87,8 @@ class Growing {
   [[nodiscard]] std::uint16_t insideNeighbours(std::size_t voxel) const {
     unsigned bits = 0;
     for (std::size_t k = 0; k < 14; ++k) {
-      bits |= static_cast<unsigned>(state_.values[voxel + static_cast<std::size_t>(offset_[k])] == Inside) << k;
+      bits |= static_cast<unsigned>(state_.values[voxel + static_cast<std::size_t>(offset_[k])] == Inside)
+              << k;
     }
     return static_cast<std::uint16_t>(bits);
   }
@@ -115,9 +116,10 @@ void requireSeed(const VolumeOf<std::int16_t>& priority, const std::array<int, 3
   bool valid = true;
   for (std::size_t a = 0; a < 3; ++a) valid = valid && seed[a] > 0 && seed[a] + 1 < priority.dimensions[a];
   if (valid && priority.at(seed[0], seed[1], seed[2]) > 0) return;
-  throw InvalidArgument("A seed of positive priority inside the outermost layer is required to grow an object, but voxel (" +
-                        std::to_string(seed[0]) + ", " + std::to_string(seed[1]) + ", " + std::to_string(seed[2]) +
-                        ") is none; give another seed.");
+  throw InvalidArgument(
+      "A seed of positive priority inside the outermost layer is required to grow an object, but voxel (" +
+      std::to_string(seed[0]) + ", " + std::to_string(seed[1]) + ", " + std::to_string(seed[2]) +
+      ") is none; give another seed.");
 }
 
 }  // namespace

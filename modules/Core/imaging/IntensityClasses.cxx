@@ -32,8 +32,8 @@ Histogram makeHistogram(std::vector<float> sample) {
   const double high = quantile(0.999);
   if (!(high > h.low)) {
     throw GeometryError("Grey and white matter of different intensity are required, but nearly all of the " +
-                        std::to_string(sample.size()) + " brain voxels have the value " + std::to_string(high) +
-                        "; give a T1-weighted image.");
+                        std::to_string(sample.size()) + " brain voxels have the value " +
+                        std::to_string(high) + "; give a T1-weighted image.");
   }
   h.width = (high - h.low) / kBins;
   for (const float value : sample) {
@@ -71,7 +71,8 @@ std::vector<int> majorPeaks(const std::vector<double>& counts) {
   });
   std::vector<int> apart;
   for (const int p : peaks) {
-    if (std::all_of(apart.begin(), apart.end(), [p](int q) { return std::abs(p - q) >= kBins / 10; })) apart.push_back(p);
+    if (std::all_of(apart.begin(), apart.end(), [p](int q) { return std::abs(p - q) >= kBins / 10; }))
+      apart.push_back(p);
   }
   return apart;
 }
@@ -101,8 +102,9 @@ IntensityClasses estimateIntensityClasses(const ScalarVolume& t1, const MaskVolu
     if (mask.values[v] && std::isfinite(t1.values[v])) sample.push_back(t1.values[v]);
   }
   if (sample.size() < 1000) {
-    throw GeometryError("At least 1000 brain voxels are required to tell grey from white matter, but there are " +
-                        std::to_string(sample.size()) + "; check the image and its labels.");
+    throw GeometryError(
+        "At least 1000 brain voxels are required to tell grey from white matter, but there are " +
+        std::to_string(sample.size()) + "; check the image and its labels.");
   }
   Histogram h = makeHistogram(std::move(sample));
   smooth(h.counts, 2.5);
@@ -128,7 +130,8 @@ struct BlockMeans {
   ScalarVolume weight, sum;
 };
 
-BlockMeans blockSums(const ScalarVolume& t1, const MaskVolume& mask, double low, double high, const std::array<int, 3>& block) {
+BlockMeans blockSums(const ScalarVolume& t1, const MaskVolume& mask, double low, double high,
+                     const std::array<int, 3>& block) {
   std::array<int, 3> n{};
   Eigen::Matrix4d affine = t1.voxelToWorld;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -156,7 +159,8 @@ double interpolate(const ScalarVolume& blocks, const Eigen::Vector3d& at) {
   std::array<int, 3> base{}, next{};
   std::array<double, 3> t{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const double x = std::clamp(at[static_cast<Eigen::Index>(a)], 0.0, static_cast<double>(blocks.dimensions[a] - 1));
+    const double x =
+        std::clamp(at[static_cast<Eigen::Index>(a)], 0.0, static_cast<double>(blocks.dimensions[a] - 1));
     base[a] = std::min(static_cast<int>(x), std::max(0, blocks.dimensions[a] - 2));
     next[a] = std::min(base[a] + 1, blocks.dimensions[a] - 1);
     t[a] = x - base[a];
@@ -164,19 +168,21 @@ double interpolate(const ScalarVolume& blocks, const Eigen::Vector3d& at) {
   double value = 0;
   for (int c = 0; c < 8; ++c) {
     const int i = c & 1 ? next[0] : base[0], j = c & 2 ? next[1] : base[1], k = c & 4 ? next[2] : base[2];
-    value += (c & 1 ? t[0] : 1 - t[0]) * (c & 2 ? t[1] : 1 - t[1]) * (c & 4 ? t[2] : 1 - t[2]) * blocks.at(i, j, k);
+    value += (c & 1 ? t[0] : 1 - t[0]) * (c & 2 ? t[1] : 1 - t[1]) * (c & 4 ? t[2] : 1 - t[2]) *
+             blocks.at(i, j, k);
   }
   return value;
 }
 
 }  // namespace
 
-ScalarVolume localThreshold(const ScalarVolume& t1, const MaskVolume& mask, const IntensityClasses& classes, double scale,
-                            const Execution& execution) {
+ScalarVolume localThreshold(const ScalarVolume& t1, const MaskVolume& mask, const IntensityClasses& classes,
+                            double scale, const Execution& execution) {
   const Eigen::Vector3d spacing = voxelSpacing(t1.voxelToWorld);
   std::array<int, 3> block{};
   for (std::size_t a = 0; a < 3; ++a) {
-    block[a] = std::max(1, static_cast<int>(std::lround(0.4 * scale / spacing[static_cast<Eigen::Index>(a)])));
+    block[a] =
+        std::max(1, static_cast<int>(std::lround(0.4 * scale / spacing[static_cast<Eigen::Index>(a)])));
   }
   const double half = 0.5 * (classes.white - classes.grey);
   const double prior = 0.02 * block[0] * block[1] * block[2];
@@ -191,18 +197,23 @@ ScalarVolume localThreshold(const ScalarVolume& t1, const MaskVolume& mask, cons
   };
   ScalarVolume middle = meanOf(classes.threshold, classes.white + 2 * half, classes.white);
   const ScalarVolume grey = meanOf(classes.grey - half, classes.threshold, classes.grey);
-  for (std::size_t v = 0; v < middle.size(); ++v) middle.values[v] = 0.5f * (middle.values[v] + grey.values[v]);
+  for (std::size_t v = 0; v < middle.size(); ++v)
+    middle.values[v] = 0.5f * (middle.values[v] + grey.values[v]);
   ScalarVolume out(t1.dimensions, t1.voxelToWorld);
-  parallelFor(static_cast<std::size_t>(t1.dimensions[2]), execution, [&](std::size_t begin, std::size_t end) {
-    for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-      for (int j = 0; j < t1.dimensions[1]; ++j) {
-        for (int i = 0; i < t1.dimensions[0]; ++i) {
-          const Eigen::Vector3d at((i + 0.5) / block[0] - 0.5, (j + 0.5) / block[1] - 0.5, (k + 0.5) / block[2] - 0.5);
-          out.at(i, j, k) = static_cast<float>(interpolate(middle, at));
+  parallelFor(
+      static_cast<std::size_t>(t1.dimensions[2]), execution,
+      [&](std::size_t begin, std::size_t end) {
+        for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+          for (int j = 0; j < t1.dimensions[1]; ++j) {
+            for (int i = 0; i < t1.dimensions[0]; ++i) {
+              const Eigen::Vector3d at((i + 0.5) / block[0] - 0.5, (j + 0.5) / block[1] - 0.5,
+                                       (k + 0.5) / block[2] - 0.5);
+              out.at(i, j, k) = static_cast<float>(interpolate(middle, at));
+            }
+          }
         }
-      }
-    }
-  }, 4);
+      },
+      4);
   return out;
 }
 

@@ -17,8 +17,8 @@ struct IntensityClasses {
 
 /// The two highest peaks of the smoothed histogram of the voxels inside `mask`, white being the brighter one.
 ///
-/// When the histogram shows no two peaks at least a tenth of its range apart, the centres of the two brighter of three classes
-/// (1-D k-means) are used instead.
+/// When the histogram shows no two peaks at least a tenth of its range apart, the centres of the two brighter
+/// of three classes (1-D k-means) are used instead.
 ///
 /// @param mask  1 = brain
 /// @throws GeometryError when fewer than 1000 voxels are given or their intensities are all alike
@@ -26,10 +26,12 @@ struct IntensityClasses {
 
 /// The threshold between grey and white as a smooth function of place, for images with a bias field.
 ///
-/// θ(x) = ½ (μ_w(x) + μ_g(x)) where μ_w, μ_g are the means of the voxels classified white and grey by the global classes,
-/// weighted by a Gaussian of `scale` mm around x, with the global means as a prior of the weight of 2 % of such a window.
+/// θ(x) = ½ (μ_w(x) + μ_g(x)) where μ_w, μ_g are the means of the voxels classified white and grey by the
+/// global classes, weighted by a Gaussian of `scale` mm around x, with the global means as a prior of the
+/// weight of 2 % of such a window.
 /// @return threshold per voxel of t1
-[[nodiscard]] ScalarVolume localThreshold(const ScalarVolume& t1, const MaskVolume& mask, const IntensityClasses& classes,
-                                          double scale, const Execution& execution = {});
+[[nodiscard]] ScalarVolume localThreshold(const ScalarVolume& t1, const MaskVolume& mask,
+                                          const IntensityClasses& classes, double scale,
+                                          const Execution& execution = {});
 
 }  // namespace authalic

@@ -40,8 +40,9 @@ class Extraction {
       }
     }
     if (faces_.empty()) {
-      throw InvalidArgument("A field with a positive voxel is required to extract a surface, but none of the " +
-                            std::to_string(field_.size()) + " voxels is positive; lower the threshold.");
+      throw InvalidArgument(
+          "A field with a positive voxel is required to extract a surface, but none of the " +
+          std::to_string(field_.size()) + " voxels is positive; lower the threshold.");
     }
     return mesh();
   }
@@ -56,9 +57,10 @@ class Extraction {
         const bool edge = k == 0 || j == 0 || k + 1 == n[2] || j + 1 == n[1];
         for (int i = 0; i < n[0]; i += edge ? 1 : std::max(1, n[0] - 1)) {
           if (!inside(field_.index(i, j, k))) continue;
-          throw InvalidArgument("An object inside the outermost layer of the volume is required, but voxel (" +
-                                std::to_string(i) + ", " + std::to_string(j) + ", " + std::to_string(k) +
-                                ") of that layer is positive; pad the volume by one voxel.");
+          throw InvalidArgument(
+              "An object inside the outermost layer of the volume is required, but voxel (" +
+              std::to_string(i) + ", " + std::to_string(j) + ", " + std::to_string(k) +
+              ") of that layer is positive; pad the volume by one voxel.");
         }
       }
     }
@@ -84,7 +86,8 @@ class Extraction {
   void crossSlice(int k) {
     for (int j = 0; j < ny_; ++j) {
       for (int i = 0; i < nx_; ++i) {
-        const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(i);
+        const std::size_t at =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(i);
         edgeVertex_[2][at] = i + 1 < nx_ ? crossing(i, j, k, 0, 1) : -1;
         edgeVertex_[3][at] = j + 1 < ny_ ? crossing(i, j, k, 1, static_cast<std::size_t>(nx_)) : -1;
       }
@@ -95,7 +98,8 @@ class Extraction {
   void crossBetween(int k) {
     for (int j = 0; j < ny_; ++j) {
       for (int i = 0; i < nx_; ++i) {
-        const std::size_t at = static_cast<std::size_t>(j) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(i);
+        const std::size_t at =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(i);
         edgeVertex_[4][at] = crossing(i, j, k, 2, slice_);
       }
     }
@@ -118,7 +122,8 @@ class Extraction {
     for (const auto& triangle : cell.triangles) {
       std::array<int, 3> f{};
       for (std::size_t c = 0; c < 3; ++c) {
-        f[c] = triangle[c] < 12 ? vertexOf(triangle[c], i, j) : centres[static_cast<std::size_t>(triangle[c] - 12)];
+        f[c] = triangle[c] < 12 ? vertexOf(triangle[c], i, j)
+                                : centres[static_cast<std::size_t>(triangle[c] - 12)];
       }
       if (mirrored_) std::swap(f[1], f[2]);
       faces_.push_back(f);
@@ -126,7 +131,8 @@ class Extraction {
   }
 
   [[nodiscard]] std::size_t cornerStep(int c) const {
-    return static_cast<std::size_t>(c & 1) + (c & 2 ? static_cast<std::size_t>(nx_) : 0) + (c & 4 ? slice_ : 0);
+    return static_cast<std::size_t>(c & 1) + (c & 2 ? static_cast<std::size_t>(nx_) : 0) +
+           (c & 4 ? slice_ : 0);
   }
 
   // Tables 0 and 1 hold the x and y edges of the lower slice, 2 and 3 of the upper, 4 the z edges.
@@ -141,7 +147,8 @@ class Extraction {
   [[nodiscard]] TriangleMesh mesh() const {
     Points3 points(static_cast<Eigen::Index>(points_.size()), 3);
     for (std::size_t v = 0; v < points_.size(); ++v) {
-      points.row(static_cast<Eigen::Index>(v)) = field_.world(points_[v][0], points_[v][1], points_[v][2]).transpose();
+      points.row(static_cast<Eigen::Index>(v)) =
+          field_.world(points_[v][0], points_[v][1], points_[v][2]).transpose();
     }
     Faces faces(static_cast<Eigen::Index>(faces_.size()), 3);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
@@ -164,8 +171,10 @@ class Extraction {
 TriangleMesh extractIsosurface(const ScalarVolume& field, const Execution& execution) {
   for (const int n : field.dimensions) {
     if (n < 3) {
-      throw InvalidArgument("A volume of at least 3 voxels along every axis is required to extract a surface, but one axis has " +
-                            std::to_string(n) + "; give a larger volume.");
+      throw InvalidArgument(
+          "A volume of at least 3 voxels along every axis is required to extract a surface, but one axis "
+          "has " +
+          std::to_string(n) + "; give a larger volume.");
     }
   }
   return Extraction(field).run(execution);

@@ -27,7 +27,8 @@ LabelConvention LabelConvention::freeSurfer() {
   append(c.right, 2000, 2035);
   append(c.left, 11100, 11175);
   append(c.right, 12100, 12175);
-  c.fill = {4, 5, 10, 11, 12, 13, 14, 26, 28, 30, 31, 43, 44, 49, 50, 51, 52, 58, 60, 62, 63, 77, 78, 79, 80, 81, 82};
+  c.fill = {4,  5,  10, 11, 12, 13, 14, 26, 28, 30, 31, 43, 44, 49,
+            50, 51, 52, 58, 60, 62, 63, 77, 78, 79, 80, 81, 82};
   append(c.fill, 250, 255);
   c.remove = {7, 8, 15, 16, 46, 47, 85};
   c.namesBrainstemAndVentricles = true;

@@ -11,14 +11,19 @@ namespace authalic {
 
 namespace {
 
-using Crossing = std::pair<int, int>;              // positive and negative corner that a surface vertex lies between
+using Crossing = std::pair<int, int>;  // positive and negative corner that a surface vertex lies between
 using Piece = std::vector<std::array<Crossing, 3>>;  // triangles
-using Loop = std::vector<int>;                     // cube edges, in the direction of the boundary of a piece
+using Loop = std::vector<int>;  // cube edges, in the direction of the boundary of a piece
 
-Eigen::Vector3d corner(int c) { return Eigen::Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1); }
-Eigen::Vector3d middle(const Crossing& x) { return 0.5 * (corner(x.first) + corner(x.second)); }
+Eigen::Vector3d corner(int c) {
+  return Eigen::Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1);
+}
+Eigen::Vector3d middle(const Crossing& x) {
+  return 0.5 * (corner(x.first) + corner(x.second));
+}
 Eigen::Vector3d edgeMiddle(int e) {
-  return 0.5 * (corner(kCubeEdges[static_cast<std::size_t>(e)][0]) + corner(kCubeEdges[static_cast<std::size_t>(e)][1]));
+  return 0.5 * (corner(kCubeEdges[static_cast<std::size_t>(e)][0]) +
+                corner(kCubeEdges[static_cast<std::size_t>(e)][1]));
 }
 
 // -1 when the crossing lies on a diagonal.
@@ -74,7 +79,8 @@ std::vector<Piece> connectedPieces(const Piece& triangles) {
     }
   }
   std::map<int, Piece> byRoot;
-  for (std::size_t t = 0; t < triangles.size(); ++t) byRoot[find(static_cast<int>(t))].push_back(triangles[t]);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    byRoot[find(static_cast<int>(t))].push_back(triangles[t]);
   std::vector<Piece> pieces;
   for (auto& entry : byRoot) pieces.push_back(std::move(entry.second));
   return pieces;
@@ -113,8 +119,10 @@ bool inOneFace(int e, int f) {
   return false;
 }
 
-// Shortest triangulation of the polygon loop[first…last] by chords that lie in no face; infinite when there is none.
-double triangulate(const Loop& loop, std::size_t first, std::size_t last, std::vector<std::array<int, 3>>& best) {
+// Shortest triangulation of the polygon loop[first…last] by chords that lie in no face; infinite when there
+// is none.
+double triangulate(const Loop& loop, std::size_t first, std::size_t last,
+                   std::vector<std::array<int, 3>>& best) {
   best.clear();
   if (last - first < 2) return 0;
   double bestLength = std::numeric_limits<double>::infinity();

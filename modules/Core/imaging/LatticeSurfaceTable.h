@@ -7,8 +7,8 @@
 
 namespace authalic {
 
-/// The pieces of surface in one cube. Vertices 0…11 lie on the cube's edges (kCubeEdges); 12, 13, … are centres of
-/// polygons that could not be triangulated without a chord in a face of the cube.
+/// The pieces of surface in one cube. Vertices 0…11 lie on the cube's edges (kCubeEdges); 12, 13, … are
+/// centres of polygons that could not be triangulated without a chord in a face of the cube.
 struct LatticeSurfaceCell {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from the negative side
   std::vector<std::vector<int>> centres;      ///< the edge vertices whose mean is vertex 12 + index
@@ -21,12 +21,13 @@ inline constexpr std::array<std::array<int, 2>, 12> kCubeEdges{
 
 /// The cell for a sign pattern (bit c set = corner c positive, i.e. inside).
 ///
-/// The table is derived, not typed in: the piecewise-linear interpolant on the six tetrahedra of the cube (see
-/// SimplePoint.h) gives the true pieces, each a disk, or a tube around the cube's diagonal; the crossings on diagonals
-/// are then dropped and each piece is triangulated again over its crossings with the cube's own edges. Neighbouring cubes
-/// share the arcs on their common face, because both cut that face along the same diagonal, and no inner chord lies in a
-/// face of the cube, so that the union over all cubes is a closed manifold with exactly the topology of the
-/// piecewise-linear interpolant, at about a third of its triangles.
+/// The table is derived, not typed in: the piecewise-linear interpolant on the six tetrahedra of the cube
+/// (see SimplePoint.h) gives the true pieces, each a disk, or a tube around the cube's diagonal; the
+/// crossings on diagonals are then dropped and each piece is triangulated again over its crossings with the
+/// cube's own edges. Neighbouring cubes share the arcs on their common face, because both cut that face along
+/// the same diagonal, and no inner chord lies in a face of the cube, so that the union over all cubes is a
+/// closed manifold with exactly the topology of the piecewise-linear interpolant, at about a third of its
+/// triangles.
 /// @cite lorensen1987 @cite kuhn1960
 [[nodiscard]] const LatticeSurfaceCell& latticeSurfaceCell(int signs);
 

@@ -41,14 +41,16 @@ void smoothRegion(std::vector<char>& region, const Adjacency& neighbours, int ro
 std::vector<double> starAreas(const TriangleMesh& mesh) {
   std::vector<double> areas(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    const double area = (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm() / 6;
+    const double area =
+        (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm() / 6;
     for (int k = 0; k < 3; ++k) areas[static_cast<std::size_t>(mesh.faces()(f, k))] += area;
   }
   return areas;
 }
 
 // Flips every vertex of `side` that is not in the component of that side with the largest area.
-void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbours, const std::vector<double>& areas) {
+void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbours,
+                 const std::vector<double>& areas) {
   std::vector<int> component(region.size(), -1), front;
   std::vector<double> sizes;
   for (std::size_t seed = 0; seed < region.size(); ++seed) {
@@ -78,8 +80,8 @@ void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbou
 
 }  // namespace
 
-std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& filled, const MaskVolume& foreign, double reach,
-                                 const Execution& execution) {
+std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& filled,
+                                 const MaskVolume& foreign, double reach, const Execution& execution) {
   MaskVolume source = filled;
   for (std::size_t v = 0; v < source.size(); ++v) source.values[v] = filled.values[v] || foreign.values[v];
   const ScalarVolume distance = distanceTo(source, execution);
@@ -87,7 +89,8 @@ std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& fil
   std::vector<char> region(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (std::size_t v = 0; v < region.size(); ++v) {
     const Eigen::Vector3d p = (toVoxel * mesh.point(static_cast<int>(v)).homogeneous()).head<3>();
-    const int i = static_cast<int>(std::lround(p[0])), j = static_cast<int>(std::lround(p[1])), k = static_cast<int>(std::lround(p[2]));
+    const int i = static_cast<int>(std::lround(p[0])), j = static_cast<int>(std::lround(p[1])),
+              k = static_cast<int>(std::lround(p[2]));
     region[v] = source.contains(i, j, k) && distance.at(i, j, k) <= reach;
   }
   const Adjacency neighbours = adjacencyOf(mesh);
@@ -95,7 +98,8 @@ std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& fil
   smoothRegion(region, neighbours, 10);
   keepLargest(region, 1, neighbours, areas);
   keepLargest(region, 0, neighbours, areas);
-  if (std::count(region.begin(), region.end(), 1) == static_cast<std::ptrdiff_t>(region.size())) std::fill(region.begin(), region.end(), 0);
+  if (std::count(region.begin(), region.end(), 1) == static_cast<std::ptrdiff_t>(region.size()))
+    std::fill(region.begin(), region.end(), 0);
   return region;
 }
 
@@ -105,7 +109,8 @@ double regionArea(const TriangleMesh& mesh, const std::vector<char>& region) {
     int inside = 0;
     for (int k = 0; k < 3; ++k) inside += region[static_cast<std::size_t>(mesh.faces()(f, k))];
     if (inside == 0) continue;
-    sum += inside / 6.0 * (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm();
+    sum += inside / 6.0 *
+           (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm();
   }
   return sum;
 }

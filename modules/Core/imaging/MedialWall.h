@@ -10,15 +10,18 @@
 
 namespace authalic {
 
-/// Vertices within `reach` mm of a filled voxel or of white matter that belongs to the other hemisphere or the hindbrain: there the
-/// surface follows a cut or a filled structure, not a border of grey and white matter.
+/// Vertices within `reach` mm of a filled voxel or of white matter that belongs to the other hemisphere or
+/// the hindbrain: there the surface follows a cut or a filled structure, not a border of grey and white
+/// matter.
 ///
-/// The set is then made one clean region: its border is smoothed by majority votes of the neighbours, its largest component (by area) kept,
-/// and of the complement the largest component too, the others joining the region.
+/// The set is then made one clean region: its border is smoothed by majority votes of the neighbours, its
+/// largest component (by area) kept, and of the complement the largest component too, the others joining the
+/// region.
 /// @param filled, foreign  1 = such voxels, on one grid
 /// @return 1 per vertex of the region; all 0 when there is none
-[[nodiscard]] std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& filled, const MaskVolume& foreign,
-                                               double reach, const Execution& execution = {});
+[[nodiscard]] std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& filled,
+                                               const MaskVolume& foreign, double reach,
+                                               const Execution& execution = {});
 
 /// Area in mm² of a vertex region: a third of every face for each of its vertices inside.
 [[nodiscard]] double regionArea(const TriangleMesh& mesh, const std::vector<char>& region);

@@ -46,7 +46,8 @@ bool connectedOnLink(unsigned set) {
 
 std::bitset<kAll + 1> makeSimpleTable() {
   std::bitset<kAll + 1> table;
-  for (unsigned set = 0; set <= kAll; ++set) table[set] = connectedOnLink(set) && connectedOnLink(~set & kAll);
+  for (unsigned set = 0; set <= kAll; ++set)
+    table[set] = connectedOnLink(set) && connectedOnLink(~set & kAll);
   return table;
 }
 

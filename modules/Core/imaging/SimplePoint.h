@@ -7,14 +7,15 @@
 ///     ±e1, ±e2, ±e3, ±(e1+e2), ±(e2+e3), ±(e1+e3), ±(e1+e2+e3),
 ///
 /// and their tetrahedra form a triangulated sphere around it, its *link* (14 vertices, 24 triangles).
-/// Object and background use the same 14-adjacency: it is self-dual, so none of the choices "26 for the object,
-/// 6 for the background" arises, and the interface between object and background of the *piecewise-linear*
-/// interpolant is a manifold for every set of voxels.
+/// Object and background use the same 14-adjacency: it is self-dual, so none of the choices "26 for the
+/// object, 6 for the background" arises, and the interface between object and background of the
+/// *piecewise-linear* interpolant is a manifold for every set of voxels.
 ///
-/// A voxel is **simple** when changing its side keeps the homotopy type of object and of background. The object
-/// near it is a cone over the object's part of the link, so it is simple exactly when that part is contractible;
-/// on a sphere that is the case exactly when the object's neighbours are connected along the link and so are the
-/// background's, and neither is empty. Both are properties of 14 bits: one table of 2^14 answers.
+/// A voxel is **simple** when changing its side keeps the homotopy type of object and of background. The
+/// object near it is a cone over the object's part of the link, so it is simple exactly when that part is
+/// contractible; on a sphere that is the case exactly when the object's neighbours are connected along the
+/// link and so are the background's, and neither is empty. Both are properties of 14 bits: one table of 2^14
+/// answers.
 ///
 /// A set grown from one voxel by simple voxels is therefore collapsible, and its interface is a sphere.
 /// @cite bertrand1994 @cite kuhn1960

@@ -35,16 +35,18 @@ std::vector<Offset> offsetsWithin(const Eigen::Matrix3d& axes, double reach) {
       }
     }
   }
-  std::stable_sort(offsets.begin(), offsets.end(), [](const Offset& a, const Offset& b) { return a.bound < b.bound; });
+  std::stable_sort(offsets.begin(), offsets.end(),
+                   [](const Offset& a, const Offset& b) { return a.bound < b.bound; });
   return offsets;
 }
 
 }  // namespace
 
-std::vector<std::int32_t> labelsOnSurface(const TriangleMesh& mesh, const LabelVolume& labels, double maxDistance,
-                                          const Execution& execution) {
+std::vector<std::int32_t> labelsOnSurface(const TriangleMesh& mesh, const LabelVolume& labels,
+                                          double maxDistance, const Execution& execution) {
   if (!(maxDistance > 0 && maxDistance <= 50)) {
-    throw InvalidArgument("The reach of surface labels must lie in (0, 50] mm, but it is " + std::to_string(maxDistance) + ".");
+    throw InvalidArgument("The reach of surface labels must lie in (0, 50] mm, but it is " +
+                          std::to_string(maxDistance) + ".");
   }
   const Eigen::Matrix3d axes = labels.voxelToWorld.topLeftCorner<3, 3>();
   const Eigen::Matrix4d toVoxel = labels.worldToVoxel();
@@ -54,7 +56,8 @@ std::vector<std::int32_t> labelsOnSurface(const TriangleMesh& mesh, const LabelV
     for (std::size_t v = begin; v < end; ++v) {
       if (v % 16384 == 0) execution.throwIfCancelled();
       const Eigen::Vector3d p = (toVoxel * mesh.point(static_cast<int>(v)).homogeneous()).head<3>();
-      const std::array<int, 3> base{static_cast<int>(std::lround(p[0])), static_cast<int>(std::lround(p[1])), static_cast<int>(std::lround(p[2]))};
+      const std::array<int, 3> base{static_cast<int>(std::lround(p[0])), static_cast<int>(std::lround(p[1])),
+                                    static_cast<int>(std::lround(p[2]))};
       double nearest = maxDistance * (1 + 1e-12);
       for (const Offset& offset : offsets) {
         if (offset.bound > nearest) break;

@@ -52,7 +52,8 @@ struct Envelope {
       float meet = -kFar;
       while (top >= 0) {
         const int p = place[static_cast<std::size_t>(top)];
-        meet = (f[static_cast<std::size_t>(q)] - f[static_cast<std::size_t>(p)]) / (2 * s2 * static_cast<float>(q - p)) +
+        meet = (f[static_cast<std::size_t>(q)] - f[static_cast<std::size_t>(p)]) /
+                   (2 * s2 * static_cast<float>(q - p)) +
                0.5f * static_cast<float>(q + p);
         if (meet > bound[static_cast<std::size_t>(top)]) break;
         --top;
@@ -66,7 +67,8 @@ struct Envelope {
     for (int q = 0, at = 0; q < n; ++q) {
       while (bound[static_cast<std::size_t>(at) + 1] < static_cast<float>(q)) ++at;
       const auto d = static_cast<float>(q - place[static_cast<std::size_t>(at)]);
-      values[static_cast<std::size_t>(q) * stride] = f[static_cast<std::size_t>(place[static_cast<std::size_t>(at)])] + s2 * d * d;
+      values[static_cast<std::size_t>(q) * stride] =
+          f[static_cast<std::size_t>(place[static_cast<std::size_t>(at)])] + s2 * d * d;
     }
   }
 };
@@ -105,10 +107,11 @@ ScalarVolume distanceTo(const MaskVolume& mask, const Execution& execution) {
   for (std::size_t v = 0; v < out.size(); ++v) out.values[v] = mask.values[v] ? 0.0f : kFar;
   const Eigen::Vector3d spacing = voxelSpacing(mask.voxelToWorld);
   for (int axis = 0; axis < 3; ++axis) {
-    forEachLine(out.dimensions, axis, execution, [&](std::size_t first, std::size_t stride, std::size_t length) {
-      thread_local Envelope envelope;
-      envelope.transform(&out.values[first], stride, length, static_cast<float>(spacing[axis]));
-    });
+    forEachLine(out.dimensions, axis, execution,
+                [&](std::size_t first, std::size_t stride, std::size_t length) {
+                  thread_local Envelope envelope;
+                  envelope.transform(&out.values[first], stride, length, static_cast<float>(spacing[axis]));
+                });
   }
   for (float& d : out.values) d = d >= kFar ? std::numeric_limits<float>::infinity() : std::sqrt(d);
   return out;
@@ -123,26 +126,29 @@ ScalarVolume gaussianBlur(ScalarVolume volume, double sigma, const Execution& ex
     std::vector<float> kernel;
     double sum = 0;
     for (int r = -radius; r <= radius; ++r) sum += std::exp(-0.5 * r * r / (s * s));
-    for (int r = -radius; r <= radius; ++r) kernel.push_back(static_cast<float>(std::exp(-0.5 * r * r / (s * s)) / sum));
-    forEachLine(volume.dimensions, axis, execution, [&](std::size_t first, std::size_t stride, std::size_t length) {
-      thread_local std::vector<float> line;
-      const int n = static_cast<int>(length);
-      line.resize(length + 2 * static_cast<std::size_t>(radius));
-      for (int q = -radius; q < n + radius; ++q) {
-        line[static_cast<std::size_t>(q + radius)] =
-            volume.values[first + static_cast<std::size_t>(std::clamp(q, 0, n - 1)) * stride];
-      }
-      for (std::size_t q = 0; q < length; ++q) {
-        float value = 0;
-        for (std::size_t r = 0; r < kernel.size(); ++r) value += kernel[r] * line[q + r];
-        volume.values[first + q * stride] = value;
-      }
-    });
+    for (int r = -radius; r <= radius; ++r)
+      kernel.push_back(static_cast<float>(std::exp(-0.5 * r * r / (s * s)) / sum));
+    forEachLine(volume.dimensions, axis, execution,
+                [&](std::size_t first, std::size_t stride, std::size_t length) {
+                  thread_local std::vector<float> line;
+                  const int n = static_cast<int>(length);
+                  line.resize(length + 2 * static_cast<std::size_t>(radius));
+                  for (int q = -radius; q < n + radius; ++q) {
+                    line[static_cast<std::size_t>(q + radius)] =
+                        volume.values[first + static_cast<std::size_t>(std::clamp(q, 0, n - 1)) * stride];
+                  }
+                  for (std::size_t q = 0; q < length; ++q) {
+                    float value = 0;
+                    for (std::size_t r = 0; r < kernel.size(); ++r) value += kernel[r] * line[q + r];
+                    volume.values[first + q * stride] = value;
+                  }
+                });
   }
   return volume;
 }
 
-MaskVolume floodFromMarkers(MaskVolume regions, const VolumeOf<std::int16_t>& priority, const Execution& execution) {
+MaskVolume floodFromMarkers(MaskVolume regions, const VolumeOf<std::int16_t>& priority,
+                            const Execution& execution) {
   constexpr std::uint8_t kClosed = 255;
   const auto steps = neighbourSteps(regions.dimensions);
   std::vector<std::uint8_t> border;
@@ -152,7 +158,8 @@ MaskVolume floodFromMarkers(MaskVolume regions, const VolumeOf<std::int16_t>& pr
   });
   BucketQueue queue(32767);
   for (std::size_t v = 0; v < regions.size(); ++v) {
-    if (regions.values[v] != 0 && regions.values[v] != kClosed && priority.values[v] > 0) queue.push(v, priority.values[v]);
+    if (regions.values[v] != 0 && regions.values[v] != kClosed && priority.values[v] > 0)
+      queue.push(v, priority.values[v]);
   }
   std::size_t voxel = 0, count = 0;
   while (queue.pop(voxel)) {
@@ -181,7 +188,9 @@ std::size_t fillCavities(MaskVolume& mask) {
     if (mask.values[v] != 2) continue;
     for (const std::ptrdiff_t step : steps) {
       const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(v) + step;
-      if (n < 0 || n >= static_cast<std::ptrdiff_t>(mask.size()) || mask.values[static_cast<std::size_t>(n)] != 0) continue;
+      if (n < 0 || n >= static_cast<std::ptrdiff_t>(mask.size()) ||
+          mask.values[static_cast<std::size_t>(n)] != 0)
+        continue;
       mask.values[static_cast<std::size_t>(n)] = 3;
       front.push_back(static_cast<std::uint32_t>(n));
     }
@@ -231,7 +240,8 @@ std::size_t keepLargestComponent(MaskVolume& mask) {
     }
     total += sizes.back();
   }
-  const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const auto largest =
+      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   for (std::size_t v = 0; v < mask.size(); ++v) mask.values[v] = largest != 0 && id.values[v] == largest;
   return total - sizes[largest];
 }

@@ -46,14 +46,18 @@ MaskVolume lookUpRoles(const ScalarVolume& t1, const LabelVolume& labels, const 
   MaskVolume roles(t1.dimensions, t1.voxelToWorld, 0);
   forEachVoxel(t1.dimensions, execution, [&](std::size_t v, int i, int j, int k) {
     const Eigen::Vector4d p = map * Eigen::Vector4d(i, j, k, 1);
-    const int x = static_cast<int>(std::lround(p[0])), y = static_cast<int>(std::lround(p[1])), z = static_cast<int>(std::lround(p[2]));
+    const int x = static_cast<int>(std::lround(p[0])), y = static_cast<int>(std::lround(p[1])),
+              z = static_cast<int>(std::lround(p[2]));
     if (!labels.contains(x, y, z) || labels.at(x, y, z) == 0) return;
     const auto found = roleOf.find(labels.at(x, y, z));
     if (found != roleOf.end()) roles.values[v] = found->second;
   });
-  if (std::none_of(roles.values.begin(), roles.values.end(), [](std::uint8_t r) { return r & (kNamedLeft | kNamedRight); })) {
-    throw GeometryError("Labels that name regions of the T1 are required, but no voxel of the T1 falls on a known left or right label; "
-                        "check that both volumes share one space and that the label convention is the right one.");
+  if (std::none_of(roles.values.begin(), roles.values.end(),
+                   [](std::uint8_t r) { return r & (kNamedLeft | kNamedRight); })) {
+    throw GeometryError(
+        "Labels that name regions of the T1 are required, but no voxel of the T1 falls on a known left or "
+        "right label; "
+        "check that both volumes share one space and that the label convention is the right one.");
   }
   return roles;
 }
@@ -81,8 +85,10 @@ double foregroundLevel(const ScalarVolume& t1) {
     if (std::isfinite(t1.values[v]) && t1.values[v] > 0) sample.push_back(t1.values[v]);
   }
   if (sample.size() < 1000) {
-    throw GeometryError("A T1 image of a brain is required, but fewer than 1000 of its sampled voxels are positive and finite; "
-                        "check that it is the right volume.");
+    throw GeometryError(
+        "A T1 image of a brain is required, but fewer than 1000 of its sampled voxels are positive and "
+        "finite; "
+        "check that it is the right volume.");
   }
   const auto at = sample.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sample.size() - 1));
   std::nth_element(sample.begin(), at, sample.end());
@@ -112,7 +118,8 @@ ScalarVolume cropToForeground(const ScalarVolume& t1, double level) {
   return cropVolume(t1, lower, upper, 0.0f);
 }
 
-Cropped prepare(const ScalarVolume& t1, const LabelVolume* labels, const LabelConvention& convention, const Execution& execution) {
+Cropped prepare(const ScalarVolume& t1, const LabelVolume* labels, const LabelConvention& convention,
+                const Execution& execution) {
   const double level = foregroundLevel(t1);
   Cropped out;
   out.t1 = cropToForeground(t1, level);
@@ -123,8 +130,10 @@ Cropped prepare(const ScalarVolume& t1, const LabelVolume* labels, const LabelCo
   const double litres = static_cast<double>(count) * out.t1.voxelVolume() * 1e-6;
   if (litres < 2.2) return out;
   if (!labels) {
-    throw GeometryError("A skull-stripped T1, or labels, are required, but the image shows " + std::to_string(litres).substr(0, 4) +
-                        " litres above background, more than a brain; strip the skull or give a label volume.");
+    throw GeometryError(
+        "A skull-stripped T1, or labels, are required, but the image shows " +
+        std::to_string(litres).substr(0, 4) +
+        " litres above background, more than a brain; strip the skull or give a label volume.");
   }
   MaskVolume named(out.roles.dimensions, out.roles.voxelToWorld);
   for (std::size_t v = 0; v < named.size(); ++v) named.values[v] = out.roles.values[v] != 0;
@@ -152,8 +161,10 @@ ScalarVolume contrastOf(const Cropped& in, const IntensityClasses& classes, cons
   return out;
 }
 
-// Labels to fill, grown by 1 mm so that they meet the white matter around them; and the prior where labels are silent.
-void fillDeepStructures(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention, const Execution& execution) {
+// Labels to fill, grown by 1 mm so that they meet the white matter around them; and the prior where labels
+// are silent.
+void fillDeepStructures(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention,
+                        const Execution& execution) {
   const bool usePrior = roles.size() == 0 || !convention.namesBrainstemAndVentricles;
   ScalarVolume toFill;
   if (roles.size() != 0) toFill = distanceTo(select(roles, kFill), execution);
@@ -168,8 +179,10 @@ void fillDeepStructures(WhiteMatter& wm, const MaskVolume& roles, const LabelCon
   });
 }
 
-// Fluid spaces that the outside reaches only through gaps narrower than 2 mm, and that lie mostly against white matter.
-void fillVentricles(WhiteMatter& wm, const MaskVolume& brain, const ScalarVolume& t1, const Execution& execution) {
+// Fluid spaces that the outside reaches only through gaps narrower than 2 mm, and that lie mostly against
+// white matter.
+void fillVentricles(WhiteMatter& wm, const MaskVolume& brain, const ScalarVolume& t1,
+                    const Execution& execution) {
   MaskVolume solid(brain.dimensions, brain.voxelToWorld);
   for (std::size_t v = 0; v < solid.size(); ++v) {
     solid.values[v] = wm.tissue.values[v] || (brain.values[v] && t1.values[v] > wm.classes.fluid);
@@ -182,9 +195,11 @@ void fillVentricles(WhiteMatter& wm, const MaskVolume& brain, const ScalarVolume
   for (std::size_t v = 0; v < core.size(); ++v) core.values[v] = core.values[v] && !closed.values[v];
   const ScalarVolume fromCore = distanceTo(core, execution);
   const ScalarVolume fromWhite = distanceTo(wm.tissue, execution);
-  // Spread from the cores into the fluid around them; keep the spaces that touch white matter along a quarter of their border.
+  // Spread from the cores into the fluid around them; keep the spaces that touch white matter along a quarter
+  // of their border.
   MaskVolume space(brain.dimensions, brain.voxelToWorld);
-  for (std::size_t v = 0; v < space.size(); ++v) space.values[v] = !solid.values[v] && fromCore.values[v] <= 1.6f;
+  for (std::size_t v = 0; v < space.size(); ++v)
+    space.values[v] = !solid.values[v] && fromCore.values[v] <= 1.6f;
   MaskVolume reached = space;
   std::vector<std::size_t> front, component;
   const auto& n = space.dimensions;
@@ -222,13 +237,15 @@ VolumeOf<std::int16_t> depthPriority(const MaskVolume& mask, const Execution& ex
   const ScalarVolume depth = distanceTo(rest, execution);
   VolumeOf<std::int16_t> priority(mask.dimensions, mask.voxelToWorld, 0);
   for (std::size_t v = 0; v < mask.size(); ++v) {
-    if (mask.values[v]) priority.values[v] = static_cast<std::int16_t>(1 + std::min(320.0f, depth.values[v]) * 100);
+    if (mask.values[v])
+      priority.values[v] = static_cast<std::int16_t>(1 + std::min(320.0f, depth.values[v]) * 100);
   }
   return priority;
 }
 
 // Marks brainstem and cerebellum: kHindbrain in tissue; the rest stays 1.
-void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention, const Execution& execution) {
+void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention,
+                       const Execution& execution) {
   const bool usePrior = roles.size() == 0 || !convention.namesBrainstemAndVentricles;
   ScalarVolume toRemove, toCerebrum;
   if (roles.size() != 0) {
@@ -250,7 +267,8 @@ void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, const LabelConv
   });
   markers = floodFromMarkers(std::move(markers), depthPriority(wm.tissue, execution), execution);
   for (std::size_t v = 0; v < markers.size(); ++v) {
-    if (wm.tissue.values[v]) wm.tissue.values[v] = markers.values[v] == 2 ? std::uint8_t{kHindbrain} : markers.values[v];
+    if (wm.tissue.values[v])
+      wm.tissue.values[v] = markers.values[v] == 2 ? std::uint8_t{kHindbrain} : markers.values[v];
   }
 }
 
@@ -279,7 +297,8 @@ void cleanHemispheres(WhiteMatter& wm) {
     keepLargestComponent(mask);
     if (std::none_of(mask.values.begin(), mask.values.end(), [](std::uint8_t m) { return m; })) {
       throw GeometryError(std::string("White matter in both hemispheres is required, but the ") +
-                          (side == kLeft ? "left" : "right") + " one is empty; check the threshold, the labels and the orientation of the image.");
+                          (side == kLeft ? "left" : "right") +
+                          " one is empty; check the threshold, the labels and the orientation of the image.");
     }
     fillCavities(mask);
     for (std::size_t v = 0; v < mask.size(); ++v) {
@@ -296,16 +315,19 @@ void cleanHemispheres(WhiteMatter& wm) {
 void requireVolume(const ScalarVolume& t1) {
   for (const int n : t1.dimensions) {
     if (n >= 16) continue;
-    throw InvalidArgument("A volume of at least 16 voxels along every axis is required, but one axis has " + std::to_string(n) +
-                          "; give a whole-brain T1.");
+    throw InvalidArgument("A volume of at least 16 voxels along every axis is required, but one axis has " +
+                          std::to_string(n) + "; give a whole-brain T1.");
   }
   if (t1.size() > std::numeric_limits<std::uint32_t>::max() / 2) {
-    throw InvalidArgument("At most 2^31 voxels are supported, but the volume has " + std::to_string(t1.size()) + "; crop it.");
+    throw InvalidArgument("At most 2^31 voxels are supported, but the volume has " +
+                          std::to_string(t1.size()) + "; crop it.");
   }
   const Eigen::Vector3d spacing = voxelSpacing(t1.voxelToWorld);
-  if (!(spacing.minCoeff() > 0.05) || !(spacing.maxCoeff() <= 3.0) || std::abs(t1.voxelToWorld.topLeftCorner<3, 3>().determinant()) < 1e-4) {
-    throw GeometryError("Voxels of 0.05 to 3 mm are required, but one axis has steps of " + std::to_string(spacing.minCoeff()) + " to " +
-                        std::to_string(spacing.maxCoeff()) + " mm; correct the header or resample the image.");
+  if (!(spacing.minCoeff() > 0.05) || !(spacing.maxCoeff() <= 3.0) ||
+      std::abs(t1.voxelToWorld.topLeftCorner<3, 3>().determinant()) < 1e-4) {
+    throw GeometryError("Voxels of 0.05 to 3 mm are required, but one axis has steps of " +
+                        std::to_string(spacing.minCoeff()) + " to " + std::to_string(spacing.maxCoeff()) +
+                        " mm; correct the header or resample the image.");
   }
 }
 
@@ -320,14 +342,15 @@ void WhiteMatterOptions::validate() const {
   require(midlineBand >= 1 && midlineBand <= 20, "The midline band must lie in [1, 20] mm", midlineBand);
 }
 
-WhiteMatter segmentWhiteMatter(const ScalarVolume& t1, const LabelVolume* labels, const WhiteMatterOptions& options,
-                               const Execution& execution) {
+WhiteMatter segmentWhiteMatter(const ScalarVolume& t1, const LabelVolume* labels,
+                               const WhiteMatterOptions& options, const Execution& execution) {
   options.validate();
   requireVolume(t1);
   execution.report(0, "brain mask");
   const Cropped in = prepare(t1, labels, options.labels, execution);
   WhiteMatter wm;
-  wm.brainVolume = in.t1.voxelVolume() * static_cast<double>(std::count(in.brain.values.begin(), in.brain.values.end(), 1));
+  wm.brainVolume = in.t1.voxelVolume() *
+                   static_cast<double>(std::count(in.brain.values.begin(), in.brain.values.end(), 1));
   wm.frame = findBrainFrame(in.t1, in.brain, execution);
   execution.report(0.2, "intensity classes");
   wm.classes = estimateIntensityClasses(in.t1, in.brain);
