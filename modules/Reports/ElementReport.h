@@ -10,9 +10,10 @@
 
 namespace authalic {
 
-/// Columns element_id, hemi, u_min, u_max, v_min, v_max, centroid_x_mm, centroid_y_mm, centroid_z_mm, n_vertices,
-/// area_mm2, area_ratio, label_majority, label_fraction, grid_i, grid_j, interior; then per field FIELD_n, FIELD_mean,
-/// FIELD_sd, FIELD_median, FIELD_min, FIELD_max, FIELD_coverage, FIELD its name in snake_case.
+/// Columns element_id, hemi, u_min, u_max, v_min, v_max, centroid_x_mm, centroid_y_mm, centroid_z_mm,
+/// n_vertices, area_mm2, area_ratio, label_majority, label_fraction, grid_i, grid_j, interior; then per field
+/// FIELD_n, FIELD_mean, FIELD_sd, FIELD_median, FIELD_min, FIELD_max, FIELD_coverage, FIELD its name in
+/// snake_case.
 /// @param hemi  "L", "R" or "" (n/a)
 /// @throws InvalidArgument when two field names are the same in snake_case.
 [[nodiscard]] Table elementReport(const ElementTable& elements, const std::string& hemi);

@@ -31,7 +31,9 @@ struct Converter {
   }
 };
 
-nlohmann::ordered_json convert(const Json& json) { return std::visit(Converter{}, json.value()); }
+nlohmann::ordered_json convert(const Json& json) {
+  return std::visit(Converter{}, json.value());
+}
 
 }  // namespace
 
@@ -49,7 +51,8 @@ Json Json::object() {
 
 Json& Json::add(Json item) {
   Array* items = std::get_if<Array>(&value_);
-  if (items == nullptr) throw InvalidArgument("A JSON array is required to add an item, but this is another value.");
+  if (items == nullptr)
+    throw InvalidArgument("A JSON array is required to add an item, but this is another value.");
   items->push_back(std::move(item));
   return *this;
 }

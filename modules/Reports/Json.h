@@ -12,18 +12,18 @@ namespace authalic {
 
 /// null, boolean, integer, number, string, array or object. Built once, written once: there is no parser.
 ///
-/// The text depends on the values alone: members in the order added, numbers in the shortest form that reads back to
-/// the same double, NaN and infinities as null (JSON has none), bytes that are not UTF-8 as U+FFFD.
+/// The text depends on the values alone: members in the order added, numbers in the shortest form that reads
+/// back to the same double, NaN and infinities as null (JSON has none), bytes that are not UTF-8 as U+FFFD.
 class Json {
  public:
   Json() = default;
-  Json(bool value) : value_(value) {}                       // NOLINT(google-explicit-constructor)
-  Json(int value) : value_(std::int64_t{value}) {}          // NOLINT(google-explicit-constructor)
-  Json(std::int64_t value) : value_(value) {}               // NOLINT(google-explicit-constructor)
-  Json(std::size_t value) : value_(static_cast<std::int64_t>(value)) {}  // NOLINT(google-explicit-constructor)
-  Json(double value) : value_(value) {}                     // NOLINT(google-explicit-constructor)
-  Json(const char* value) : value_(std::string(value)) {}   // NOLINT(google-explicit-constructor)
-  Json(std::string value) : value_(std::move(value)) {}     // NOLINT(google-explicit-constructor)
+  Json(bool value) : value_(value) {}               // NOLINT(google-explicit-constructor)
+  Json(int value) : value_(std::int64_t{value}) {}  // NOLINT(google-explicit-constructor)
+  Json(std::int64_t value) : value_(value) {}       // NOLINT(google-explicit-constructor)
+  Json(std::size_t value) : Json(static_cast<std::int64_t>(value)) {}  // NOLINT(google-explicit-constructor)
+  Json(double value) : value_(value) {}                    // NOLINT(google-explicit-constructor)
+  Json(const char* value) : value_(std::string(value)) {}  // NOLINT(google-explicit-constructor)
+  Json(std::string value) : value_(std::move(value)) {}    // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] static Json array();
   [[nodiscard]] static Json object();
@@ -36,7 +36,8 @@ class Json {
 
   /// Appends to an array. @throws InvalidArgument when this is not an array.
   Json& add(Json item);
-  /// Sets a member of an object; an existing member keeps its place. @throws InvalidArgument when this is no object.
+  /// Sets a member of an object; an existing member keeps its place. @throws InvalidArgument when this is no
+  ///         object.
   Json& set(const std::string& key, Json value);
 
   /// Two spaces per level and a newline at the end when `pretty`, else one line without it.

@@ -9,12 +9,16 @@ namespace authalic {
 
 namespace {
 
-Json placeJson(const Eigen::Vector3d& place) { return Json::array().add(place[0]).add(place[1]).add(place[2]); }
+Json placeJson(const Eigen::Vector3d& place) {
+  return Json::array().add(place[0]).add(place[1]).add(place[2]);
+}
 
 Json defectsJson(const std::vector<MeshDefect>& defects, std::size_t most) {
   Json list = Json::array();
   for (std::size_t k = 0; k < std::min(most, defects.size()); ++k) {
-    list.add(Json::object().set("ids", Json::arrayOf(defects[k].ids)).set("place_mm", placeJson(defects[k].place)));
+    list.add(Json::object()
+                 .set("ids", Json::arrayOf(defects[k].ids))
+                 .set("place_mm", placeJson(defects[k].place)));
   }
   return Json::object().set("count", defects.size()).set("first", list);
 }
@@ -113,7 +117,8 @@ Json mapReport(const MapReport& report) {
   const Json::Object fixed = std::get<Json::Object>(result.value());
   for (const auto& [key, value] : *more) {
     const std::string& name = key;
-    if (std::any_of(fixed.begin(), fixed.end(), [&](const Json::Member& member) { return member.first == name; })) {
+    if (std::any_of(fixed.begin(), fixed.end(),
+                    [&](const Json::Member& member) { return member.first == name; })) {
       throw InvalidArgument("A map's report has its own member '" + name + "'; give yours another name.");
     }
     result.set(name, value);

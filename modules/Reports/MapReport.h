@@ -15,19 +15,19 @@ namespace authalic {
 
 /// Everything that the report of a map says. Only `seconds` differs between two runs on the same input.
 struct MapReport {
-  std::string method;                ///< "tutte", "lie-flow" …
+  std::string method;  ///< "tutte", "lie-flow" …
   Status status = Status::NotRun;
   int iterations = 0;
-  std::vector<double> residuals;     ///< one per iteration, the start first
+  std::vector<double> residuals;                        ///< one per iteration, the start first
   std::vector<std::pair<std::string, double>> seconds;  ///< stage → wall time, in order
-  DistortionSummary metrics;         ///< on the original connectivity
-  MeshReport topology;               ///< of the surface that was mapped
-  Json options = Json::object();     ///< every option with the value used, defaults included
-  Json more = Json::object();        ///< members that only this method has, put at the end
+  DistortionSummary metrics;                            ///< on the original connectivity
+  MeshReport topology;                                  ///< of the surface that was mapped
+  Json options = Json::object();  ///< every option with the value used, defaults included
+  Json more = Json::object();     ///< members that only this method has, put at the end
 };
 
-/// Members, in this order: version, method, status, iterations, residual_history, seconds (stages and `total`), metrics,
-/// flips, topology, options, and those of `more`.
+/// Members, in this order: version, method, status, iterations, residual_history, seconds (stages and
+/// `total`), metrics, flips, topology, options, and those of `more`.
 /// @throws InvalidArgument when `more` is not an object or repeats one of these members.
 [[nodiscard]] Json mapReport(const MapReport& report);
 

@@ -25,15 +25,19 @@ std::size_t lengthOf(const Table::Values& values) {
 std::size_t sequenceLength(const std::string& text, std::size_t position) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = byte(position);
-  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || position + length > text.size()) return 0;
   for (std::size_t k = 1; k < length; ++k) {
     if ((byte(position + k) & 0xC0u) != 0x80u) return 0;
   }
   const bool overlong = length > 2 && ((lead == 0xE0 && byte(position + 1) < 0xA0) ||
                                        (lead == 0xF0 && byte(position + 1) < 0x90));
-  const bool outside = (lead == 0xED && byte(position + 1) > 0x9F) || (lead == 0xF4 && byte(position + 1) > 0x8F);
+  const bool outside =
+      (lead == 0xED && byte(position + 1) > 0x9F) || (lead == 0xF4 && byte(position + 1) > 0x8F);
   return overlong || outside ? 0 : length;
 }
 
@@ -58,7 +62,8 @@ std::string cellText(const std::string& text) {
 }
 
 std::string cell(const Table::Values& values, std::size_t row) {
-  if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&values)) return std::to_string((*integers)[row]);
+  if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&values))
+    return std::to_string((*integers)[row]);
   if (const auto* numbers = std::get_if<std::vector<double>>(&values)) return tableNumber((*numbers)[row]);
   return cellText(std::get<std::vector<std::string>>(values)[row]);
 }
@@ -72,13 +77,14 @@ void Table::add(const std::string& name, Values values, ColumnInfo info) {
   }
   for (const Column& column : columns_) {
     if (column.name == name) {
-      throw InvalidArgument("Different column names are required, but '" + name + "' is given twice; rename one.");
+      throw InvalidArgument("Different column names are required, but '" + name +
+                            "' is given twice; rename one.");
     }
   }
   const std::size_t length = lengthOf(values);
   if (!columns_.empty() && length != rows_) {
-    throw InvalidArgument("Columns of equal length are required, but '" + name + "' has " + std::to_string(length) +
-                          " rows and the table " + std::to_string(rows_) + ".");
+    throw InvalidArgument("Columns of equal length are required, but '" + name + "' has " +
+                          std::to_string(length) + " rows and the table " + std::to_string(rows_) + ".");
   }
   rows_ = length;
   columns_.push_back({name, std::move(values), std::move(info)});
@@ -89,7 +95,8 @@ std::string Table::tsv() const {
   for (std::size_t c = 0; c < columns_.size(); ++c) result += (c > 0 ? "\t" : "") + columns_[c].name;
   result += '\n';
   for (std::size_t row = 0; row < rows_; ++row) {
-    for (std::size_t c = 0; c < columns_.size(); ++c) result += (c > 0 ? "\t" : "") + cell(columns_[c].values, row);
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+      result += (c > 0 ? "\t" : "") + cell(columns_[c].values, row);
     result += '\n';
   }
   return result;
@@ -135,7 +142,8 @@ std::string tableNumber(double value) {
   if (!std::isfinite(value)) return "n/a";
   if (value == 0.0) return "0";
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 9);
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 9);
   return std::string(buffer.data(), end.ptr);
 }
 

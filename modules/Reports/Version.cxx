@@ -2,6 +2,8 @@
 
 namespace authalic {
 
-const char* version() noexcept { return AUTHALIC_VERSION; }
+const char* version() noexcept {
+  return AUTHALIC_VERSION;
+}
 
 }  // namespace authalic

@@ -10,7 +10,9 @@ using namespace authalic::testing;
 
 namespace {
 
-Points2 flatImage(const TriangleMesh& mesh) { return mesh.points().leftCols<2>(); }
+Points2 flatImage(const TriangleMesh& mesh) {
+  return mesh.points().leftCols<2>();
+}
 
 }  // namespace
 
@@ -75,7 +77,8 @@ TEST(ElementGrid, ApproachesEqualAreasOnLambertsMapWithSecondOrder) {
     Points2 image(cap.vertexCount(), 2);
     for (int v = 0; v < cap.vertexCount(); ++v) {
       const Eigen::Vector3d p = cap.point(v);
-      const double rim = std::hypot(p[0], p[1]), radius = std::sin(std::atan2(rim, p[2]) / 2) / std::sin(kOpening / 2);
+      const double rim = std::hypot(p[0], p[1]),
+                   radius = std::sin(std::atan2(rim, p[2]) / 2) / std::sin(kOpening / 2);
       image.row(v) << (rim > 0 ? p[0] / rim * radius : 0), (rim > 0 ? p[1] / rim * radius : 0);
     }
     const ElementGrid grid = elementGrid(cap, image, {100});

@@ -19,7 +19,8 @@ TEST(ElementTable, ConvergesToTheMeanOfASmoothFieldWithSecondOrder) {
   for (const int n : {13, 26, 52}) {
     const TriangleMesh mesh = gridMesh(n, n);
     SurfaceField field{"f", {}, {}, "", ""};
-    for (int v = 0; v < mesh.vertexCount(); ++v) field.values.push_back(std::exp(mesh.point(v)[0]) * std::cos(3 * mesh.point(v)[1]));
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+      field.values.push_back(std::exp(mesh.point(v)[0]) * std::cos(3 * mesh.point(v)[1]));
     const Points2 image = mesh.points().leftCols<2>();
     double error = 0;
     for (const ElementRow& row : elementTable(mesh, elementGrid(mesh, image, {25}), {field}).rows) {

@@ -14,7 +14,9 @@ using namespace authalic::testing;
 
 namespace {
 
-Points2 flatImage(const TriangleMesh& mesh) { return mesh.points().leftCols<2>(); }
+Points2 flatImage(const TriangleMesh& mesh) {
+  return mesh.points().leftCols<2>();
+}
 
 /// A smooth bijection of the disk that is not area-preserving, plus noise below half an edge.
 Points2 warpedImage(const TriangleMesh& mesh, double noise, unsigned seed) {
@@ -83,7 +85,8 @@ TEST(ElementGrid, PartitionsFacesThatAreFlippedAndListsThem) {
 TEST(ElementGrid, PartitionsFacesWhoseImageHasCollapsed) {
   const TriangleMesh mesh = gridMesh(6, 6);
   Points2 image = flatImage(mesh);
-  for (Eigen::Index v = 0; v < image.rows(); ++v) image(v, 0) = std::max(image(v, 0), 1.0 / 3);  // two columns collapse
+  for (Eigen::Index v = 0; v < image.rows(); ++v)
+    image(v, 0) = std::max(image(v, 0), 1.0 / 3);  // two columns collapse
   const ElementGrid grid = elementGrid(mesh, image, {50});
   EXPECT_EQ(grid.zeroAreaFaces.size(), 24u);
   EXPECT_TRUE(grid.flippedFaces.empty());
@@ -114,7 +117,8 @@ TEST(ElementGrid, AgreesWithAMonteCarloCount) {
   constexpr int kPoints = 400000;
   std::vector<int> hits(grid.elements.size(), 0);
   for (int p = 0; p < kPoints; ++p) {
-    const int f = static_cast<int>(std::upper_bound(cumulative.begin(), cumulative.end(), uniform() * total) - cumulative.begin());
+    const int f = static_cast<int>(std::upper_bound(cumulative.begin(), cumulative.end(), uniform() * total) -
+                                   cumulative.begin());
     const double r = std::sqrt(uniform()), s = uniform(), b[3] = {1 - r, r * (1 - s), r * s};
     Eigen::RowVector2d uv(0, 0);
     for (int k = 0; k < 3; ++k) uv += b[k] * image.row(mesh.faces()(f, k));
@@ -132,7 +136,8 @@ TEST(ElementGrid, DoesNotDependOnTheOrderOfVerticesAndFaces) {
   const TriangleMesh mesh = bumpyDisk(13);
   const Points2 image = warpedImage(mesh, 0.02, 4);
   std::mt19937 random(5);
-  std::vector<int> vertexOrder(static_cast<std::size_t>(mesh.vertexCount())), faceOrder(static_cast<std::size_t>(mesh.faceCount()));
+  std::vector<int> vertexOrder(static_cast<std::size_t>(mesh.vertexCount())),
+      faceOrder(static_cast<std::size_t>(mesh.faceCount()));
   std::iota(vertexOrder.begin(), vertexOrder.end(), 0);
   std::iota(faceOrder.begin(), faceOrder.end(), 0);
   std::shuffle(vertexOrder.begin(), vertexOrder.end(), random);
@@ -146,10 +151,12 @@ TEST(ElementGrid, DoesNotDependOnTheOrderOfVerticesAndFaces) {
   }
   for (int f = 0; f < mesh.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      faces(faceOrder[static_cast<std::size_t>(f)], k) = vertexOrder[static_cast<std::size_t>(mesh.faces()(f, (k + f) % 3))];
+      faces(faceOrder[static_cast<std::size_t>(f)], k) =
+          vertexOrder[static_cast<std::size_t>(mesh.faces()(f, (k + f) % 3))];
     }
   }
-  const ElementGrid one = elementGrid(mesh, image, {150}), two = elementGrid(TriangleMesh(points, faces), shuffledImage, {150});
+  const ElementGrid one = elementGrid(mesh, image, {150}),
+                    two = elementGrid(TriangleMesh(points, faces), shuffledImage, {150});
   ASSERT_EQ(one.elements.size(), two.elements.size());
   for (std::size_t e = 0; e < one.elements.size(); ++e) {
     EXPECT_NEAR(one.elements[e].area, two.elements[e].area, 1e-13);
@@ -167,8 +174,10 @@ TEST(ElementGrid, DoesNotDependOnTheOrderOfVerticesAndFaces) {
 TEST(ElementGrid, ScalesWithTheSurface) {
   const TriangleMesh mesh = bumpyDisk(10);
   const Points2 image = warpedImage(mesh, 0.02, 4);
-  const ElementGrid one = elementGrid(mesh, image, {100}), ten = elementGrid(TriangleMesh(10 * mesh.points(), mesh.faces()), image, {100});
-  for (std::size_t e = 0; e < one.elements.size(); ++e) EXPECT_NEAR(ten.elements[e].area, 100 * one.elements[e].area, 1e-11);
+  const ElementGrid one = elementGrid(mesh, image, {100}),
+                    ten = elementGrid(TriangleMesh(10 * mesh.points(), mesh.faces()), image, {100});
+  for (std::size_t e = 0; e < one.elements.size(); ++e)
+    EXPECT_NEAR(ten.elements[e].area, 100 * one.elements[e].area, 1e-11);
   EXPECT_NEAR(one.deviation.interiorMaximum, ten.deviation.interiorMaximum, 1e-12);
 }
 
@@ -220,7 +229,9 @@ TEST(ElementOutline, DrawsEveryInnerLineOnce) {
     for (Eigen::Index s = 0; s < outline.points.rows(); s += 2) {
       length += (outline.points.row(s) - outline.points.row(s + 1)).norm();
       const Eigen::RowVector2d middle = 5 * (outline.image.row(s) + outline.image.row(s + 1));  // in cells
-      EXPECT_LT(std::min(std::abs(middle[0] - std::round(middle[0])), std::abs(middle[1] - std::round(middle[1]))), 1e-12);
+      EXPECT_LT(
+          std::min(std::abs(middle[0] - std::round(middle[0])), std::abs(middle[1] - std::round(middle[1]))),
+          1e-12);
     }
     EXPECT_NEAR(length, 2 * 9, 1e-11) << n;
     EXPECT_EQ(static_cast<Eigen::Index>(2 * outline.face.size()), outline.points.rows());
@@ -235,7 +246,8 @@ TEST(ElementOutline, LiesInItsFacesAndSeparatesItsElements) {
   ASSERT_GT(outline.face.size(), 300u);
   for (std::size_t s = 0; s < outline.face.size(); ++s) {
     const int f = outline.face[s];
-    const Eigen::Vector3d normal = (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).normalized();
+    const Eigen::Vector3d normal =
+        (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).normalized();
     for (int end = 0; end < 2; ++end) {
       const Eigen::Vector3d p = outline.points.row(2 * static_cast<Eigen::Index>(s) + end).transpose();
       EXPECT_NEAR(normal.dot(p - mesh.corner(f, 0)), 0.0, 1e-12);
@@ -276,5 +288,6 @@ TEST(ElementGrid, RefusesBadOptions) {
 
 TEST(ElementGrid, StopsOnRequest) {
   const TriangleMesh mesh = gridMesh(4, 4);
-  EXPECT_THROW(static_cast<void>(elementGrid(mesh, flatImage(mesh), {}, Execution({}, [] { return true; }))), CancelledError);
+  EXPECT_THROW(static_cast<void>(elementGrid(mesh, flatImage(mesh), {}, Execution({}, [] { return true; }))),
+               CancelledError);
 }

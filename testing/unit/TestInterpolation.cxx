@@ -15,7 +15,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 Eigen::Matrix4d oblique() {
   Eigen::Matrix4d affine = Eigen::Matrix4d::Identity();
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized())).toRotationMatrix();
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized())).toRotationMatrix();
   affine.topLeftCorner<3, 3>() = turn * Eigen::Vector3d(-1.5, 0.7, 2.0).asDiagonal();
   affine.topRightCorner<3, 1>() << 11, -7, 3;
   return affine;
@@ -26,7 +27,8 @@ VolumeOf<double> filled(const std::array<int, 3>& size, const Eigen::Matrix4d& a
   VolumeOf<double> volume(size, affine);
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i) volume.at(i, j, k) = f(volume.world(i, j, k), Eigen::Vector3d(i, j, k));
+      for (int i = 0; i < size[0]; ++i)
+        volume.at(i, j, k) = f(volume.world(i, j, k), Eigen::Vector3d(i, j, k));
   return volume;
 }
 
@@ -37,7 +39,8 @@ TEST(Interpolation, ReproducesALinearFieldInAnObliqueVolume) {
   const auto volume = filled({6, 5, 4}, oblique(), [&](const auto& x, const auto&) { return field(x); });
   const Interpolator<double> valueAt(volume);
   for (int k = 0; k < 50; ++k) {
-    const Eigen::Vector3d x = volume.world(5 * ((k * 7) % 50) / 50.0, 4 * ((k * 11) % 50) / 50.0, 3 * k / 50.0);
+    const Eigen::Vector3d x =
+        volume.world(5 * ((k * 7) % 50) / 50.0, 4 * ((k * 11) % 50) / 50.0, 3 * k / 50.0);
     ASSERT_TRUE(valueAt(x).has_value());
     EXPECT_NEAR(*valueAt(x), field(x), 1e-11);
   }
@@ -59,7 +62,8 @@ TEST(Interpolation, ConvergesWithSecondOrderForASmoothField) {
     const Interpolator<double> valueAt(volume);
     double error = 0;
     for (int k = 0; k < 1000; ++k) {
-      const Eigen::Vector3d x(std::fmod(k * 0.618, 1.0), std::fmod(k * 0.414, 1.0), std::fmod(k * 0.732, 1.0));
+      const Eigen::Vector3d x(std::fmod(k * 0.618, 1.0), std::fmod(k * 0.414, 1.0),
+                              std::fmod(k * 0.732, 1.0));
       error = std::max(error, std::abs(*valueAt(x) - smooth(x)));
     }
     if (coarse > 0) {

@@ -59,11 +59,14 @@ TEST(ElementReport, HasTheColumnsThatTablesOfElementsShare) {
   const Table table = elementsOfASquare("Thickness");
   std::vector<std::string> names;
   for (const Table::Column& column : table.columns()) names.push_back(column.name);
-  const std::vector<std::string> expected{
-      "element_id", "hemi", "u_min", "u_max", "v_min", "v_max", "centroid_x_mm", "centroid_y_mm", "centroid_z_mm",
-      "n_vertices", "area_mm2", "area_ratio", "label_majority", "label_fraction", "grid_i", "grid_j", "interior",
-      "thickness_n", "thickness_mean", "thickness_sd", "thickness_median", "thickness_min", "thickness_max",
-      "thickness_coverage"};
+  const std::vector<std::string> expected{"element_id",     "hemi",           "u_min",
+                                          "u_max",          "v_min",          "v_max",
+                                          "centroid_x_mm",  "centroid_y_mm",  "centroid_z_mm",
+                                          "n_vertices",     "area_mm2",       "area_ratio",
+                                          "label_majority", "label_fraction", "grid_i",
+                                          "grid_j",         "interior",       "thickness_n",
+                                          "thickness_mean", "thickness_sd",   "thickness_median",
+                                          "thickness_min",  "thickness_max",  "thickness_coverage"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(keys(table.sidecar()), expected);
   EXPECT_EQ(table.rowCount(), 4u);
@@ -76,14 +79,17 @@ TEST(ElementReport, HasTheColumnsThatTablesOfElementsShare) {
 TEST(ElementReport, GivesUnitsOfTheFieldToItsStatistics) {
   const Json sidecar = elementsOfASquare("Thickness").sidecar();
   const std::string text = sidecar.text(false);
-  EXPECT_NE(text.find(R"("thickness_mean":{"LongName":"Thickness, mean","Description":"mean of Thickness (of the cortex))"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find(
+          R"("thickness_mean":{"LongName":"Thickness, mean","Description":"mean of Thickness (of the cortex))"),
+      std::string::npos);
   EXPECT_NE(text.find(R"("Units":"mm"})"), std::string::npos);
 }
 
 TEST(ElementReport, RefusesFieldsThatGetTheSameName) {
   const TriangleMesh mesh = gridMesh(2, 2);
-  const SurfaceField a{"T 1", std::vector<double>(9, 1.0), {}, "", ""}, b{"t-1", std::vector<double>(9, 1.0), {}, "", ""};
+  const SurfaceField a{"T 1", std::vector<double>(9, 1.0), {}, "", ""},
+      b{"t-1", std::vector<double>(9, 1.0), {}, "", ""};
   const ElementGrid grid = elementGrid(mesh, mesh.points().leftCols<2>(), {1});
   EXPECT_THROW(static_cast<void>(elementReport(elementTable(mesh, grid, {a, b}), "")), InvalidArgument);
 }
@@ -91,14 +97,16 @@ TEST(ElementReport, RefusesFieldsThatGetTheSameName) {
 TEST(ElementReport, SaysHowEqualTheElementsAre) {
   const TriangleMesh mesh = gridMesh(4, 4, 20.0, 20.0);
   const Json report = elementGridReport(elementGrid(mesh, mesh.points().leftCols<2>() / 20, {16}));
-  EXPECT_NE(report.text(false).find(R"("elements":16,"interior_elements":16,"columns":4,"rows":4)"), std::string::npos);
+  EXPECT_NE(report.text(false).find(R"("elements":16,"interior_elements":16,"columns":4,"rows":4)"),
+            std::string::npos);
   EXPECT_NE(report.text(false).find(R"("target_area_mm2":25.0)"), std::string::npos);
 }
 
 TEST(RegionReport, NamesItsRegions) {
   const TriangleMesh mesh = gridMesh(2, 2);
   const SurfaceLabels labels{std::vector<int>(9, 4), {{4, "Cuneus"}, {6, "Absent"}}};
-  const Table table = regionReport(regionTable(mesh, labels, {{"f", std::vector<double>(9, 1.5), {}, "", ""}}), "");
+  const Table table =
+      regionReport(regionTable(mesh, labels, {{"f", std::vector<double>(9, 1.5), {}, "", ""}}), "");
   EXPECT_EQ(table.tsv(),
             "label_id\tlabel_name\themi\tcentroid_x_mm\tcentroid_y_mm\tcentroid_z_mm\tn_vertices\tarea_mm2\t"
             "area_fraction\tf_n\tf_mean\tf_sd\tf_median\tf_min\tf_max\tf_coverage\n"
@@ -119,10 +127,12 @@ TEST(MapReport, HasEveryMember) {
   report.options.set("domain", "square");
   report.more.set("boundary", "arc-length");
   const Json json = mapReport(report);
-  EXPECT_EQ(keys(json), (std::vector<std::string>{"version", "method", "status", "iterations", "residual_history", "seconds",
-                                                  "metrics", "flips", "topology", "options", "boundary"}));
+  EXPECT_EQ(keys(json),
+            (std::vector<std::string>{"version", "method", "status", "iterations", "residual_history",
+                                      "seconds", "metrics", "flips", "topology", "options", "boundary"}));
   const std::string text = json.text(false);
-  EXPECT_NE(text.find(std::string(R"({"version":")") + version() + R"(","method":"harmonic","status":"converged","iterations":2)"),
+  EXPECT_NE(text.find(std::string(R"({"version":")") + version() +
+                      R"(","method":"harmonic","status":"converged","iterations":2)"),
             std::string::npos);
   EXPECT_NE(text.find(R"("seconds":{"assembly":0.5,"solve":0.25,"total":0.75})"), std::string::npos);
   EXPECT_NE(text.find(R"("euler_characteristic":1,"genus":0)"), std::string::npos);
@@ -144,10 +154,13 @@ TEST(MeshReportJson, PlacesDefectsAndCutsLongLists) {
   Points3 points(5, 3);
   points << 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1;
   const Json json = meshReport(inspect(TriangleMesh(points, book)));
-  EXPECT_NE(json.text(false).find(R"("non_manifold_edges":{"count":1,"first":[{"ids":[0,1],"place_mm":[1.0,0.0,0.0]}]})"),
+  EXPECT_NE(json.text(false).find(
+                R"("non_manifold_edges":{"count":1,"first":[{"ids":[0,1],"place_mm":[1.0,0.0,0.0]}]})"),
             std::string::npos)
       << json.text(false);
   EXPECT_NE(json.text(false).find(R"("genus":null)"), std::string::npos);
-  EXPECT_NE(meshReport(inspect(TriangleMesh(points, book)), 0).text(false).find(R"("non_manifold_edges":{"count":1,"first":[]})"),
+  EXPECT_NE(meshReport(inspect(TriangleMesh(points, book)), 0)
+                .text(false)
+                .find(R"("non_manifold_edges":{"count":1,"first":[]})"),
             std::string::npos);
 }

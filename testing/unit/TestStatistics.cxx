@@ -17,7 +17,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Points2 flatImage(const TriangleMesh& mesh) { return mesh.points().leftCols<2>(); }
+Points2 flatImage(const TriangleMesh& mesh) {
+  return mesh.points().leftCols<2>();
+}
 
 template <class F>
 SurfaceField fieldOf(const TriangleMesh& mesh, const char* name, const F& value) {
@@ -60,7 +62,8 @@ TEST(WeightedStatistics, PutTheMedianWhereHalfTheWeightIsReached) {
   EXPECT_EQ(weightedStatistics({{1, 1}, {2, 10}, {3, 1}}).median, 2);
   EXPECT_EQ(weightedStatistics({{1, 7}, {2, 1}, {3, 1}}).median, 1);
   EXPECT_EQ(weightedStatistics({{1, 3}, {2, 1}, {5, 2}}).median, 1.5) << "exactly half lies at or below 1";
-  EXPECT_EQ(weightedStatistics({{1, 0.1}, {2, 0.2}, {5, 0.3}}).median, 3.5) << "despite rounding of 0.1 + 0.2";
+  EXPECT_EQ(weightedStatistics({{1, 0.1}, {2, 0.2}, {5, 0.3}}).median, 3.5)
+      << "despite rounding of 0.1 + 0.2";
 }
 
 TEST(WeightedStatistics, LeaveOutValuesThatAreNotAvailable) {
@@ -70,7 +73,8 @@ TEST(WeightedStatistics, LeaveOutValuesThatAreNotAvailable) {
   EXPECT_EQ(s.maximum, 4);
   const WeightedStatistics none = weightedStatistics({{kNaN, 1}});
   EXPECT_EQ(none.n, 0);
-  for (const double x : {none.mean, none.sd, none.median, none.minimum, none.maximum}) EXPECT_TRUE(std::isnan(x));
+  for (const double x : {none.mean, none.sd, none.median, none.minimum, none.maximum})
+    EXPECT_TRUE(std::isnan(x));
 }
 
 TEST(WeightedStatistics, GiveOneValueNoSpread) {
@@ -83,7 +87,8 @@ TEST(WeightedStatistics, GiveOneValueNoSpread) {
 TEST(ElementTable, HasTheExactMeanOfALinearField) {
   const TriangleMesh mesh = gridMesh(13, 9);
   const ElementGrid grid = elementGrid(mesh, flatImage(mesh), {64});
-  const ElementTable table = elementTable(mesh, grid, {fieldOf(mesh, "x", [](const auto& p) { return p[0] - 4 * p[1]; })});
+  const ElementTable table =
+      elementTable(mesh, grid, {fieldOf(mesh, "x", [](const auto& p) { return p[0] - 4 * p[1]; })});
   ASSERT_EQ(table.rows.size(), 64u);
   for (const ElementRow& row : table.rows) {
     EXPECT_NEAR(row.fields[0].mean, (row.i + 0.5) / 8 - 4 * (row.j + 0.5) / 8, 1e-12);
@@ -148,13 +153,15 @@ TEST(ElementTable, AveragesTheCoverageOfSamples) {
   SurfaceField field = fieldOf(mesh, "pet", [](const auto&) { return 1.0; });
   field.coverage.assign(field.values.size(), 0.25);
   const ElementGrid grid = elementGrid(mesh, flatImage(mesh), {16});
-  for (const ElementRow& row : elementTable(mesh, grid, {field}).rows) EXPECT_NEAR(row.fields[0].coverage, 0.25, 1e-12);
+  for (const ElementRow& row : elementTable(mesh, grid, {field}).rows)
+    EXPECT_NEAR(row.fields[0].coverage, 0.25, 1e-12);
 }
 
 TEST(ElementTable, NamesTheLabelWithTheLargestArea) {
   const TriangleMesh mesh = gridMesh(60, 60);
   SurfaceLabels labels{{}, {{7, "left"}, {3, "right"}}};
-  for (int v = 0; v < mesh.vertexCount(); ++v) labels.labels.push_back(mesh.point(v)[0] < 0.4 ? 7 : mesh.point(v)[0] < 0.8 ? 3 : 99);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    labels.labels.push_back(mesh.point(v)[0] < 0.4 ? 7 : mesh.point(v)[0] < 0.8 ? 3 : 99);
   const ElementTable table = elementTable(mesh, elementGrid(mesh, flatImage(mesh), {4}), {}, labels);
   EXPECT_EQ(table.regions[static_cast<std::size_t>(table.rows[0].majority)].name, "left");
   EXPECT_NEAR(table.rows[0].majorityFraction, 0.8, 0.02);
@@ -176,7 +183,8 @@ TEST(RegionTable, SplitsTheSurfaceByTheLabelsOfVertices) {
   const TriangleMesh mesh = gridMesh(10, 10, 10.0, 10.0);
   SurfaceLabels labels{{}, {{1, "west"}, {2, "east"}, {3, "nowhere"}}};
   for (int v = 0; v < mesh.vertexCount(); ++v) labels.labels.push_back(mesh.point(v)[0] < 4.5 ? 1 : 2);
-  const RegionTable table = regionTable(mesh, labels, {fieldOf(mesh, "x", [](const auto& p) { return p[0]; })});
+  const RegionTable table =
+      regionTable(mesh, labels, {fieldOf(mesh, "x", [](const auto& p) { return p[0]; })});
   ASSERT_EQ(table.rows.size(), 3u);
   EXPECT_NEAR(table.rows[0].area, 45.0, 1e-11);
   EXPECT_NEAR(table.rows[1].area, 55.0, 1e-11);
@@ -191,8 +199,10 @@ TEST(RegionTable, SplitsTheSurfaceByTheLabelsOfVertices) {
 TEST(ElementTable, DoesNotDependOnTheDensityOfTheMesh) {
   const TriangleMesh coarse = gridMesh(6, 6), fine = gridMesh(36, 36);
   const auto plane = [](const Eigen::Vector3d& p) { return 1 + p[0] + 2 * p[1]; };
-  const ElementTable a = elementTable(coarse, elementGrid(coarse, flatImage(coarse), {25}), {fieldOf(coarse, "f", plane)});
-  const ElementTable b = elementTable(fine, elementGrid(fine, flatImage(fine), {25}), {fieldOf(fine, "f", plane)});
+  const ElementTable a =
+      elementTable(coarse, elementGrid(coarse, flatImage(coarse), {25}), {fieldOf(coarse, "f", plane)});
+  const ElementTable b =
+      elementTable(fine, elementGrid(fine, flatImage(fine), {25}), {fieldOf(fine, "f", plane)});
   for (std::size_t e = 0; e < 25; ++e) EXPECT_NEAR(a.rows[e].fields[0].mean, b.rows[e].fields[0].mean, 1e-12);
 }
 
@@ -201,7 +211,9 @@ TEST(ElementTable, RefusesDataOfAnotherSurface) {
   const ElementGrid grid = elementGrid(mesh, flatImage(mesh), {4});
   const SurfaceField field = fieldOf(mesh, "f", [](const auto& p) { return p[0]; });
   EXPECT_THROW(static_cast<void>(elementTable(other, grid, {})), GeometryError);
-  EXPECT_THROW(static_cast<void>(elementTable(mesh, grid, {fieldOf(other, "f", [](const auto&) { return 0.0; })})), GeometryError);
+  EXPECT_THROW(
+      static_cast<void>(elementTable(mesh, grid, {fieldOf(other, "f", [](const auto&) { return 0.0; })})),
+      GeometryError);
   EXPECT_THROW(static_cast<void>(elementTable(mesh, grid, {field, field})), InvalidArgument);
   SurfaceField wrongCoverage = field;
   wrongCoverage.coverage = {1.0};
@@ -209,5 +221,6 @@ TEST(ElementTable, RefusesDataOfAnotherSurface) {
   wrongCoverage.coverage.assign(field.values.size(), 1.5);
   EXPECT_THROW(static_cast<void>(elementTable(mesh, grid, {wrongCoverage})), InvalidArgument);
   EXPECT_THROW(static_cast<void>(elementTable(mesh, grid, {}, {{1, 2}, {}})), GeometryError);
-  EXPECT_THROW(static_cast<void>(regionTable(mesh, {std::vector<int>(49, 1), {{1, "a"}, {1, "b"}}}, {})), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(regionTable(mesh, {std::vector<int>(49, 1), {{1, "a"}, {1, "b"}}}, {})),
+               InvalidArgument);
 }

@@ -72,7 +72,8 @@ TEST(Table, DescribesItsColumnsInTheOrderGiven) {
 
 TEST(Table, RefusesNamesThatAreNotSnakeCaseOrTaken) {
   Table table;
-  for (const char* name : {"", "Area", "area mm", "2nd", "_a", "a-b"}) EXPECT_THROW(table.add(name, Integers{1}), InvalidArgument) << name;
+  for (const char* name : {"", "Area", "area mm", "2nd", "_a", "a-b"})
+    EXPECT_THROW(table.add(name, Integers{1}), InvalidArgument) << name;
   table.add("a", Integers{1});
   EXPECT_THROW(table.add("a", Integers{1}), InvalidArgument);
   EXPECT_THROW(table.add("b", Integers{1, 2}), InvalidArgument);

@@ -91,12 +91,15 @@ TEST(VolumeSampling, CountsTheLastDepthOnceDespiteRounding) {
   EXPECT_EQ(sampleVolume(plateau(10), volume, alongNormal(1, 0.1)).samplesPerVertex, 11);
   EXPECT_EQ(sampleVolume(plateau(10), volume, alongNormal(1, 0.3)).samplesPerVertex, 4);
   EXPECT_EQ(sampleVolume(plateau(10), volume, alongNormal(0, 1)).samplesPerVertex, 1);
-  EXPECT_EQ(sampleVolume(plateau(10), volume, VolumeSamplingOptions{SamplingMode::AlongNormal}).samplesPerVertex, 11);
+  EXPECT_EQ(
+      sampleVolume(plateau(10), volume, VolumeSamplingOptions{SamplingMode::AlongNormal}).samplesPerVertex,
+      11);
 }
 
 TEST(VolumeSampling, IsNotAvailableOutsideTheFieldAndNeverZero) {
   const auto volume = volumeOf([](const auto&) { return 4.0; }, {-1, -1, 6}, 10, 1.0);  // z from 6 to 15
-  const VolumeSamples partly = sampleVolume(plateau(10), volume, alongNormal(10, 1));   // 10 … 6 inside, 5 … 0 not
+  const VolumeSamples partly =
+      sampleVolume(plateau(10), volume, alongNormal(10, 1));  // 10 … 6 inside, 5 … 0 not
   expectAll(partly.values, 4.0);
   expectAll(partly.coverage, 5.0 / 11.0);
   const VolumeSamples never = sampleVolume(plateau(30), volume, alongNormal(10, 1));
@@ -106,7 +109,8 @@ TEST(VolumeSampling, IsNotAvailableOutsideTheFieldAndNeverZero) {
 }
 
 TEST(VolumeSampling, LeavesOutVoxelsWithoutData) {
-  const auto volume = volumeOf([](const auto& x) { return x[2] < 7.5 ? std::nan("") : x[2]; }, {-1, -1, 0}, 20, 1.0);
+  const auto volume =
+      volumeOf([](const auto& x) { return x[2] < 7.5 ? std::nan("") : x[2]; }, {-1, -1, 0}, 20, 1.0);
   const VolumeSamples samples = sampleVolume(plateau(10), volume, alongNormal(4, 1));  // 10, 9, 8 remain
   expectAll(samples.values, 9);
   expectAll(samples.coverage, 0.6);
@@ -154,7 +158,8 @@ TEST(VolumeSampling, HasNoValueAlongTheNormalOfAVertexWithoutFaces) {
 
 TEST(VolumeSampling, GivesTheSameBitsOnAnyNumberOfThreads) {
   const TriangleMesh ball = sphereMesh(6);
-  const auto volume = volumeOf([](const auto& x) { return std::sin(5 * x[0]) + x[1] * x[2]; }, {-2, -2, -2}, 41, 0.1);
+  const auto volume =
+      volumeOf([](const auto& x) { return std::sin(5 * x[0]) + x[1] * x[2]; }, {-2, -2, -2}, 41, 0.1);
   const VolumeSamplingOptions options = alongNormal(0.7, 0.05);
   const VolumeSamples one = sampleVolume(ball, volume, options, Execution({}, {}, 1));
   const VolumeSamples four = sampleVolume(ball, volume, options, Execution({}, {}, 4));
@@ -186,11 +191,13 @@ TEST(VolumeSampling, RefusesSurfacesThatDoNotMatch) {
   VolumeSamplingOptions options;
   options.mode = SamplingMode::BetweenSurfaces;
   EXPECT_THROW(static_cast<void>(sampleVolume(plateau(4), volume, options)), InvalidArgument);
-  EXPECT_THROW(static_cast<void>(sampleVolumeBetween(plateau(4), gridMesh(5, 5).points(), volume, options)), GeometryError);
+  EXPECT_THROW(static_cast<void>(sampleVolumeBetween(plateau(4), gridMesh(5, 5).points(), volume, options)),
+               GeometryError);
   Points3 broken = plateau(8).points();
   broken(3, 1) = std::nan("");
   EXPECT_THROW(static_cast<void>(sampleVolumeBetween(plateau(4), broken, volume, options)), GeometryError);
-  EXPECT_THROW(static_cast<void>(sampleVolume(plateau(4), Points3(3, 3), volume, alongNormal(1, 1))), GeometryError);
+  EXPECT_THROW(static_cast<void>(sampleVolume(plateau(4), Points3(3, 3), volume, alongNormal(1, 1))),
+               GeometryError);
 }
 
 TEST(VolumeSampling, StopsOnRequest) {

@@ -22,17 +22,18 @@ enum class Interpolation {
 /// Reads a volume at world points (scanner RAS mm) through the inverse of its voxel-to-world matrix.
 ///
 /// With c = worldToVoxel · x in voxel units (voxel centres at integers, n voxels along the axis):
-///  - **Trilinear**: the product of three linear interpolations between the 8 surrounding centres. The field of
-///    view is the box of voxel centres, 0 ≤ c ≤ n − 1 on every axis; a point outside by no more than 1e-6 voxel
-///    counts as on the face of that box, so that rounding in the affine loses no face. A corner that is not finite and
-///    has a weight above 1e-9 makes the value n/a; corners without weight do not matter.
+///  - **Trilinear**: the product of three linear interpolations between the 8 surrounding centres. The field
+///    of view is the box of voxel centres, 0 ≤ c ≤ n − 1 on every axis; a point outside by no more than 1e-6
+///    voxel counts as on the face of that box, so that rounding in the affine loses no face. A corner that is
+///    not finite and has a weight above 1e-9 makes the value n/a; corners without weight do not matter.
 ///  - **Nearest**: the voxel ⌊c + ½⌋, so that a tie goes to the higher index. The field of view is what the
 ///    voxels cover, −½ ≤ c < n − ½ on every axis.
 ///
-/// No value (std::nullopt) means: outside the field of view, or a voxel without data (NaN, infinite). It is never 0.
-/// Keeps a reference to the volume. Complexity: constant per point.
+/// No value (std::nullopt) means: outside the field of view, or a voxel without data (NaN, infinite). It is
+/// never 0. Keeps a reference to the volume. Complexity: constant per point.
 ///
-/// @throws InvalidArgument when the matrix is not invertible or the number of values is not that of the lattice.
+/// @throws InvalidArgument when the matrix is not invertible or the number of values is not that of the
+///         lattice.
 template <class T>
 class Interpolator {
  public:
@@ -63,12 +64,14 @@ Interpolator<T>::Interpolator(const VolumeOf<T>& volume, Interpolation interpola
                                         static_cast<std::size_t>(n[2])) {
     throw InvalidArgument("A volume with one value per voxel is required, but there are " +
                           std::to_string(volume.size()) + " values for " + std::to_string(n[0]) + " x " +
-                          std::to_string(n[1]) + " x " + std::to_string(n[2]) + " voxels; read the file again.");
+                          std::to_string(n[1]) + " x " + std::to_string(n[2]) +
+                          " voxels; read the file again.");
   }
   const double determinant = volume.voxelToWorld.template topLeftCorner<3, 3>().determinant();
   if (!volume.voxelToWorld.allFinite() || determinant == 0.0) {
     throw InvalidArgument("An invertible voxel-to-world matrix is required, but its determinant is " +
-                          std::to_string(determinant) + "; repair the orientation in the header of the volume.");
+                          std::to_string(determinant) +
+                          "; repair the orientation in the header of the volume.");
   }
   const Eigen::Matrix4d inverse = volume.worldToVoxel();
   rotation_ = inverse.topLeftCorner<3, 3>();
@@ -91,8 +94,8 @@ std::optional<double> Interpolator<T>::trilinear(const Eigen::Vector3d& voxel) c
   bool any = false;
   for (unsigned corner = 0; corner < 8; ++corner) {
     const int di = corner & 1u, dj = (corner >> 1u) & 1u, dk = (corner >> 2u) & 1u;
-    const double weight = (di ? part[0] : 1 - part[0]) * (dj ? part[1] : 1 - part[1]) *
-                          (dk ? part[2] : 1 - part[2]);
+    const double weight =
+        (di ? part[0] : 1 - part[0]) * (dj ? part[1] : 1 - part[1]) * (dk ? part[2] : 1 - part[2]);
     if (weight <= kNoWeight) continue;
     const double value = static_cast<double>(volume_.at(low[0] + di, low[1] + dj, low[2] + dk));
     if (!std::isfinite(value)) return std::nullopt;

@@ -21,7 +21,9 @@ constexpr double kWholeCell = 1e-9;
 constexpr double kMostCells = 4e6;
 
 double faceArea(const TriangleMesh& surface, int f) {
-  return 0.5 * (surface.corner(f, 1) - surface.corner(f, 0)).cross(surface.corner(f, 2) - surface.corner(f, 0)).norm();
+  return 0.5 * (surface.corner(f, 1) - surface.corner(f, 0))
+                   .cross(surface.corner(f, 2) - surface.corner(f, 0))
+                   .norm();
 }
 
 /// Signed.
@@ -33,8 +35,8 @@ double imageFaceArea(const Faces& faces, const Points2& image, int f) {
 
 void requireImage(const TriangleMesh& surface, const Points2& image) {
   if (image.rows() != surface.points().rows()) {
-    throw GeometryError("One image point per vertex is required, but there are " + std::to_string(image.rows()) +
-                        " for " + std::to_string(surface.vertexCount()) +
+    throw GeometryError("One image point per vertex is required, but there are " +
+                        std::to_string(image.rows()) + " for " + std::to_string(surface.vertexCount()) +
                         " vertices; use the map of this very surface.");
   }
   for (Eigen::Index v = 0; v < image.rows(); ++v) {
@@ -81,10 +83,10 @@ Box gridFrame(const TriangleMesh& surface, const Points2& image, GridFrame frame
     return box;
   }
   if (std::min(box[0][0], box[0][1]) < -1.01 || std::max(box[1][0], box[1][1]) > 1.01) {
-    throw GeometryError("An image inside the unit disk is required for the disk's grid, but it reaches from (" +
-                        std::to_string(box[0][0]) + ", " + std::to_string(box[0][1]) + ") to (" +
-                        std::to_string(box[1][0]) + ", " + std::to_string(box[1][1]) +
-                        "); choose the bounding box as frame or normalise the map.");
+    throw GeometryError(
+        "An image inside the unit disk is required for the disk's grid, but it reaches from (" +
+        std::to_string(box[0][0]) + ", " + std::to_string(box[0][1]) + ") to (" + std::to_string(box[1][0]) +
+        ", " + std::to_string(box[1][1]) + "); choose the bounding box as frame or normalise the map.");
   }
   return {{{-1.0, -1.0}, {1.0, 1.0}}};
 }
@@ -92,14 +94,15 @@ Box gridFrame(const TriangleMesh& surface, const Points2& image, GridFrame frame
 /// Columns and rows that tile the frame with nearly square cells of about `cellArea`.
 GridLines tile(const Box& frame, double cellArea) {
   GridLines lines{frame[0], frame[1], 1, 1};
-  const double width = frame[1][0] - frame[0][0], height = frame[1][1] - frame[0][1], side = std::sqrt(cellArea);
+  const double width = frame[1][0] - frame[0][0], height = frame[1][1] - frame[0][1],
+               side = std::sqrt(cellArea);
   if (!(width > 0.0 && height > 0.0)) {
-    throw GeometryError("An image with positive area is required, but it is " + std::to_string(width) + " wide and " +
-                        std::to_string(height) + " high; the map has collapsed.");
+    throw GeometryError("An image with positive area is required, but it is " + std::to_string(width) +
+                        " wide and " + std::to_string(height) + " high; the map has collapsed.");
   }
   if ((width / side + 1) * (height / side + 1) > kMostCells) {
-    throw InvalidArgument("At most 4,000,000 cells are allowed, but cells of side " + std::to_string(side) + " on " +
-                          std::to_string(width) + " x " + std::to_string(height) +
+    throw InvalidArgument("At most 4,000,000 cells are allowed, but cells of side " + std::to_string(side) +
+                          " on " + std::to_string(width) + " x " + std::to_string(height) +
                           " are more; ask for fewer or larger elements.");
   }
   lines.columns = std::max(1, static_cast<int>(std::lround(width / side)));
@@ -126,13 +129,15 @@ Cells cutFaces(const TriangleMesh& surface, const Points2& image, const std::vec
     cutFace(surface.faces(), image, f, lines, parts);
     for (const FacePart& part : parts) {
       cells.overlaps.push_back({part.cell, f, part.fraction, part.corner});
-      cells.covered[static_cast<std::size_t>(part.cell)] += part.fraction * imageAreas[static_cast<std::size_t>(f)];
+      cells.covered[static_cast<std::size_t>(part.cell)] +=
+          part.fraction * imageAreas[static_cast<std::size_t>(f)];
     }
   }
   return cells;
 }
 
-/// The best covered neighbour of a sliver that is no sliver itself: across an edge, else across a corner, else itself.
+/// The best covered neighbour of a sliver that is no sliver itself: across an edge, else across a corner,
+/// else itself.
 int hostOf(int cell, const GridLines& lines, const std::vector<double>& covered, double least) {
   constexpr std::array<std::array<int, 2>, 8> kNeighbours{
       {{0, -1}, {-1, 0}, {1, 0}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
@@ -161,7 +166,8 @@ std::vector<int> hosts(const Cells& cells, const GridLines& lines, double mergeB
   for (std::size_t c = 0; c < result.size(); ++c) {
     if (!used[c]) continue;
     const int cell = static_cast<int>(c);
-    result[c] = mergeBelow > 0.0 && cells.covered[c] < least ? hostOf(cell, lines, cells.covered, least) : cell;
+    result[c] =
+        mergeBelow > 0.0 && cells.covered[c] < least ? hostOf(cell, lines, cells.covered, least) : cell;
   }
   return result;
 }
@@ -186,8 +192,10 @@ void addElements(ElementGrid& grid, const Cells& cells, const std::vector<int>& 
     grid.cellElement[c] = grid.cellElement[static_cast<std::size_t>(host[c])];
     Element& element = grid.elements[static_cast<std::size_t>(grid.cellElement[c])];
     const int i = static_cast<int>(c) % lines.columns, j = static_cast<int>(c) / lines.columns;
-    element.lower = {std::min(element.lower[0], lines.line(0, i)), std::min(element.lower[1], lines.line(1, j))};
-    element.upper = {std::max(element.upper[0], lines.line(0, i + 1)), std::max(element.upper[1], lines.line(1, j + 1))};
+    element.lower = {std::min(element.lower[0], lines.line(0, i)),
+                     std::min(element.lower[1], lines.line(1, j))};
+    element.upper = {std::max(element.upper[0], lines.line(0, i + 1)),
+                     std::max(element.upper[1], lines.line(1, j + 1))};
     element.imageArea += cells.covered[c];
     element.interior = false;
   }
@@ -213,7 +221,8 @@ void addOverlaps(ElementGrid& grid, std::vector<ElementOverlap> parts) {
     whole.fraction = sum;
   }
   grid.firstOverlap.assign(grid.elements.size() + 1, 0);
-  for (const ElementOverlap& overlap : grid.overlaps) ++grid.firstOverlap[static_cast<std::size_t>(overlap.element) + 1];
+  for (const ElementOverlap& overlap : grid.overlaps)
+    ++grid.firstOverlap[static_cast<std::size_t>(overlap.element) + 1];
   std::partial_sum(grid.firstOverlap.begin(), grid.firstOverlap.end(), grid.firstOverlap.begin());
 }
 
@@ -228,7 +237,8 @@ void measureElements(ElementGrid& grid, const TriangleMesh& surface) {
     Element& element = grid.elements[static_cast<std::size_t>(overlap.element)];
     element.area += area;
     for (int k = 0; k < 3; ++k) {
-      element.centroid += area * overlap.corner[static_cast<std::size_t>(k)] * surface.corner(overlap.face, k);
+      element.centroid +=
+          area * overlap.corner[static_cast<std::size_t>(k)] * surface.corner(overlap.face, k);
     }
   }
   for (Element& element : grid.elements) {
@@ -313,10 +323,12 @@ void ElementGridOptions::validate() const {
                           std::to_string(elementArea) + ".");
   }
   if (elementArea == 0.0 && elements < 1) {
-    throw InvalidArgument("At least 1 element is required, but " + std::to_string(elements) + " are asked for.");
+    throw InvalidArgument("At least 1 element is required, but " + std::to_string(elements) +
+                          " are asked for.");
   }
   if (!(mergeBelow >= 0.0 && mergeBelow <= 0.5)) {
-    throw InvalidArgument("A merge fraction from 0 to 0.5 is required, but it is " + std::to_string(mergeBelow) + ".");
+    throw InvalidArgument("A merge fraction from 0 to 0.5 is required, but it is " +
+                          std::to_string(mergeBelow) + ".");
   }
 }
 
@@ -340,7 +352,8 @@ ElementGrid elementGrid(const TriangleMesh& surface, const Points2& image, const
   double surfaceArea = 0.0;
   for (int f = 0; f < surface.faceCount(); ++f) surfaceArea += faceArea(surface, f);
   if (!(surfaceArea > 0.0)) {
-    throw GeometryError("A surface with positive area is required, but the areas of its faces sum to 0; repair it.");
+    throw GeometryError(
+        "A surface with positive area is required, but the areas of its faces sum to 0; repair it.");
   }
   grid.lines = tile(frame, options.elementArea > 0.0 ? options.elementArea * grid.imageArea / surfaceArea
                                                      : grid.imageArea / options.elements);

@@ -54,7 +54,8 @@ FacePart measure(const Polygon& polygon) {
   for (std::size_t k = 1; k + 1 < polygon.size; ++k) {
     const Corner& p = polygon.corners[k];
     const Corner& q = polygon.corners[k + 1];
-    const double area = (p.b[1] - origin.b[1]) * (q.b[2] - origin.b[2]) - (p.b[2] - origin.b[2]) * (q.b[1] - origin.b[1]);
+    const double area =
+        (p.b[1] - origin.b[1]) * (q.b[2] - origin.b[2]) - (p.b[2] - origin.b[2]) * (q.b[1] - origin.b[1]);
     part.fraction += area;
     for (std::size_t c = 0; c < 3; ++c) part.corner[c] += area / 3.0 * (origin.b[c] + p.b[c] + q.b[c]);
   }

@@ -17,9 +17,11 @@ struct FacePart {
   std::array<double, 3> corner{0, 0, 0};  ///< barycentric centroid
 };
 
-/// Cuts face `face` into the preimages of the cells, by column, then row; `parts` is replaced (its memory is reused).
-/// The outermost cells reach to infinity, so nothing is lost where an image leaves the frame by rounding. Fractions sum to
-/// 1 up to rounding, also for collapsed images. Parts below 1e-15 of the face are dropped.
-void cutFace(const Faces& faces, const Points2& image, int face, const GridLines& lines, std::vector<FacePart>& parts);
+/// Cuts face `face` into the preimages of the cells, by column, then row; `parts` is replaced (its memory is
+/// reused). The outermost cells reach to infinity, so nothing is lost where an image leaves the frame by
+/// rounding. Fractions sum to 1 up to rounding, also for collapsed images. Parts below 1e-15 of the face are
+/// dropped.
+void cutFace(const Faces& faces, const Points2& image, int face, const GridLines& lines,
+             std::vector<FacePart>& parts);
 
 }  // namespace authalic

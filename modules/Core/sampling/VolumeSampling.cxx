@@ -18,14 +18,16 @@ constexpr double kMostSamples = 10000;
 constexpr std::size_t kBlock = 32768;  // vertices between two looks at the caller's wish to stop
 
 void requireRange(const char* what, double from, double to, double step) {
-  const std::string found = std::to_string(from) + " to " + std::to_string(to) + " by " + std::to_string(step);
+  const std::string found =
+      std::to_string(from) + " to " + std::to_string(to) + " by " + std::to_string(step);
   if (!std::isfinite(from) || !std::isfinite(to) || !std::isfinite(step) || step <= 0.0 || from > to) {
-    throw InvalidArgument(std::string("A ") + what + " range with from <= to and a step above 0 is required, but it is " +
-                          found + "; correct the range.");
+    throw InvalidArgument(std::string("A ") + what +
+                          " range with from <= to and a step above 0 is required, but it is " + found +
+                          "; correct the range.");
   }
   if ((to - from) / step > kMostSamples) {
-    throw InvalidArgument(std::string("At most 10000 samples per vertex are allowed, but the ") + what + " range is " +
-                          found + "; enlarge the step.");
+    throw InvalidArgument(std::string("At most 10000 samples per vertex are allowed, but the ") + what +
+                          " range is " + found + "; enlarge the step.");
   }
 }
 
@@ -76,11 +78,12 @@ double reduce(std::vector<double>& samples, SamplingReducer reducer) {
   return kNoValue;
 }
 
-/// Samples at points + t·directions for every t of `positions`; a direction that is not finite makes its vertex n/a.
+/// Samples at points + t·directions for every t of `positions`; a direction that is not finite makes its
+/// vertex n/a.
 template <class T>
-VolumeSamples sampleLines(const Points3& points, const Points3& directions, const std::vector<double>& positions,
-                          const VolumeOf<T>& volume, const VolumeSamplingOptions& options,
-                          const Execution& execution) {
+VolumeSamples sampleLines(const Points3& points, const Points3& directions,
+                          const std::vector<double>& positions, const VolumeOf<T>& volume,
+                          const VolumeSamplingOptions& options, const Execution& execution) {
   const Interpolator<T> valueAt(volume, options.interpolation);
   const auto count = static_cast<std::size_t>(points.rows());
   VolumeSamples result;
@@ -109,8 +112,8 @@ VolumeSamples sampleLines(const Points3& points, const Points3& directions, cons
                 [&](std::size_t begin, std::size_t end) { sampleVertices(block + begin, block + end); });
   }
   execution.report(1.0, "sampling the volume");
-  result.verticesWithoutValue =
-      static_cast<int>(std::count_if(result.values.begin(), result.values.end(), [](double x) { return std::isnan(x); }));
+  result.verticesWithoutValue = static_cast<int>(
+      std::count_if(result.values.begin(), result.values.end(), [](double x) { return std::isnan(x); }));
   return result;
 }
 
@@ -131,7 +134,8 @@ Points3 inwardDirections(const Points3& normals) {
 void requireOneSurfaceMode(const VolumeSamplingOptions& options) {
   if (options.mode == SamplingMode::BetweenSurfaces) {
     throw InvalidArgument(
-        "Two surfaces are required to sample between surfaces, but one was given; give the other surface or choose "
+        "Two surfaces are required to sample between surfaces, but one was given; give the other surface or "
+        "choose "
         "at-vertex or along-normal.");
   }
 }
@@ -140,20 +144,28 @@ void requireOneSurfaceMode(const VolumeSamplingOptions& options) {
 
 const char* samplingModeName(SamplingMode mode) noexcept {
   switch (mode) {
-    case SamplingMode::AtVertex: return "at-vertex";
-    case SamplingMode::AlongNormal: return "along-normal";
-    case SamplingMode::BetweenSurfaces: return "between-surfaces";
+    case SamplingMode::AtVertex:
+      return "at-vertex";
+    case SamplingMode::AlongNormal:
+      return "along-normal";
+    case SamplingMode::BetweenSurfaces:
+      return "between-surfaces";
   }
   return "unknown";
 }
 
 const char* samplingReducerName(SamplingReducer reducer) noexcept {
   switch (reducer) {
-    case SamplingReducer::Mean: return "mean";
-    case SamplingReducer::Median: return "median";
-    case SamplingReducer::Maximum: return "maximum";
-    case SamplingReducer::Minimum: return "minimum";
-    case SamplingReducer::Mode: return "mode";
+    case SamplingReducer::Mean:
+      return "mean";
+    case SamplingReducer::Median:
+      return "median";
+    case SamplingReducer::Maximum:
+      return "maximum";
+    case SamplingReducer::Minimum:
+      return "minimum";
+    case SamplingReducer::Mode:
+      return "mode";
   }
   return "unknown";
 }
@@ -191,12 +203,14 @@ VolumeSamples sampleVolume(const TriangleMesh& surface, const Points3& normals, 
   }
   if (options.mode == SamplingMode::AtVertex) return sampleVolume(surface, volume, options, execution);
   return sampleLines(surface.points(), inwardDirections(normals),
-                     steps(options.depthFrom, options.depthTo, options.depthStep), volume, options, execution);
+                     steps(options.depthFrom, options.depthTo, options.depthStep), volume, options,
+                     execution);
 }
 
 template <class T>
-VolumeSamples sampleVolumeBetween(const TriangleMesh& surface, const Points3& otherPoints, const VolumeOf<T>& volume,
-                                  const VolumeSamplingOptions& options, const Execution& execution) {
+VolumeSamples sampleVolumeBetween(const TriangleMesh& surface, const Points3& otherPoints,
+                                  const VolumeOf<T>& volume, const VolumeSamplingOptions& options,
+                                  const Execution& execution) {
   options.validate();
   if (otherPoints.rows() != surface.points().rows()) {
     throw GeometryError("Two surfaces with the same vertices are required, but one has " +
@@ -211,7 +225,8 @@ VolumeSamples sampleVolumeBetween(const TriangleMesh& surface, const Points3& ot
     }
   }
   return sampleLines(surface.points(), otherPoints - surface.points(),
-                     steps(options.fractionFrom, options.fractionTo, options.fractionStep), volume, options, execution);
+                     steps(options.fractionFrom, options.fractionTo, options.fractionStep), volume, options,
+                     execution);
 }
 
 Points3 angleWeightedNormals(const TriangleMesh& surface) {
@@ -224,7 +239,8 @@ Points3 angleWeightedNormals(const TriangleMesh& surface) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d a = surface.corner(f, (k + 1) % 3) - surface.corner(f, k);
       const Eigen::Vector3d b = surface.corner(f, (k + 2) % 3) - surface.corner(f, k);
-      normals.row(surface.faces()(f, k)) += std::atan2(a.cross(b).norm(), a.dot(b)) / length * normal.transpose();
+      normals.row(surface.faces()(f, k)) +=
+          std::atan2(a.cross(b).norm(), a.dot(b)) / length * normal.transpose();
     }
   }
   for (Eigen::Index v = 0; v < normals.rows(); ++v) {
@@ -234,12 +250,12 @@ Points3 angleWeightedNormals(const TriangleMesh& surface) {
   return normals;
 }
 
-#define AUTHALIC_INSTANTIATE_SAMPLING(T)                                                                          \
-  template VolumeSamples sampleVolume<T>(const TriangleMesh&, const VolumeOf<T>&, const VolumeSamplingOptions&,   \
-                                         const Execution&);                                                       \
-  template VolumeSamples sampleVolume<T>(const TriangleMesh&, const Points3&, const VolumeOf<T>&,                 \
-                                         const VolumeSamplingOptions&, const Execution&);                         \
-  template VolumeSamples sampleVolumeBetween<T>(const TriangleMesh&, const Points3&, const VolumeOf<T>&,          \
+#define AUTHALIC_INSTANTIATE_SAMPLING(T)                                                                 \
+  template VolumeSamples sampleVolume<T>(const TriangleMesh&, const VolumeOf<T>&,                        \
+                                         const VolumeSamplingOptions&, const Execution&);                \
+  template VolumeSamples sampleVolume<T>(const TriangleMesh&, const Points3&, const VolumeOf<T>&,        \
+                                         const VolumeSamplingOptions&, const Execution&);                \
+  template VolumeSamples sampleVolumeBetween<T>(const TriangleMesh&, const Points3&, const VolumeOf<T>&, \
                                                 const VolumeSamplingOptions&, const Execution&);
 AUTHALIC_INSTANTIATE_SAMPLING(float)
 AUTHALIC_INSTANTIATE_SAMPLING(double)

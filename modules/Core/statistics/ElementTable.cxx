@@ -43,9 +43,9 @@ void requireFields(const TriangleMesh& surface, const std::vector<SurfaceField>&
 
 void requireLabels(const TriangleMesh& surface, const SurfaceLabels& labels) {
   if (!labels.labels.empty() && labels.labels.size() != static_cast<std::size_t>(surface.vertexCount())) {
-    throw GeometryError("One label per vertex is required, but there are " + std::to_string(labels.labels.size()) +
-                        " for " + std::to_string(surface.vertexCount()) +
-                        " vertices; use the labels of this surface.");
+    throw GeometryError("One label per vertex is required, but there are " +
+                        std::to_string(labels.labels.size()) + " for " +
+                        std::to_string(surface.vertexCount()) + " vertices; use the labels of this surface.");
   }
   std::set<int> ids;
   for (const RegionName& region : labels.regions) {
@@ -62,8 +62,8 @@ void requireGridOf(const TriangleMesh& surface, const ElementGrid& grid) {
     throw GeometryError("An element grid of this surface is required, but the grid was made on " +
                         std::to_string(grid.vertexElement.size()) + " vertices and " +
                         std::to_string(grid.faceElement.size()) + " faces and the surface has " +
-                        std::to_string(surface.vertexCount()) + " and " + std::to_string(surface.faceCount()) +
-                        "; make the grid again.");
+                        std::to_string(surface.vertexCount()) + " and " +
+                        std::to_string(surface.faceCount()) + "; make the grid again.");
   }
 }
 
@@ -93,7 +93,8 @@ std::vector<FieldStatistics> statisticsOf(const std::vector<SurfaceField>& field
 
 std::vector<SurfaceField> withoutValues(const std::vector<SurfaceField>& fields) {
   std::vector<SurfaceField> result;
-  for (const SurfaceField& field : fields) result.push_back({field.name, {}, {}, field.units, field.description});
+  for (const SurfaceField& field : fields)
+    result.push_back({field.name, {}, {}, field.units, field.description});
   return result;
 }
 
@@ -110,7 +111,8 @@ std::vector<int> regionOfVertices(const SurfaceLabels& labels) {
   return result;
 }
 
-void findMajority(ElementRow& row, const std::vector<VertexWeight>& weights, const std::vector<int>& regions) {
+void findMajority(ElementRow& row, const std::vector<VertexWeight>& weights,
+                  const std::vector<int>& regions) {
   if (regions.empty()) return;
   std::map<int, double> areas;
   double total = 0.0;
@@ -165,8 +167,8 @@ VertexStars vertexStars(const TriangleMesh& surface) {
 
 }  // namespace
 
-ElementTable elementTable(const TriangleMesh& surface, const ElementGrid& grid, const std::vector<SurfaceField>& fields,
-                          const SurfaceLabels& labels) {
+ElementTable elementTable(const TriangleMesh& surface, const ElementGrid& grid,
+                          const std::vector<SurfaceField>& fields, const SurfaceLabels& labels) {
   requireGridOf(surface, grid);
   requireFields(surface, fields);
   requireLabels(surface, labels);
@@ -207,7 +209,8 @@ RegionTable regionTable(const TriangleMesh& surface, const SurfaceLabels& labels
       row.area += weight.area;
       row.centroid += weight.area * surface.point(weight.vertex);
     }
-    row.centroid = row.area > 0.0 ? Eigen::Vector3d(row.centroid / row.area) : Eigen::Vector3d::Constant(kNoValue);
+    row.centroid =
+        row.area > 0.0 ? Eigen::Vector3d(row.centroid / row.area) : Eigen::Vector3d::Constant(kNoValue);
     row.fraction = stars.total > 0.0 ? row.area / stars.total : 0.0;
     row.fields = statisticsOf(fields, members[r]);
     table.rows.push_back(std::move(row));

@@ -48,7 +48,8 @@ struct ElementRow {
   double area = 0.0;                  ///< mm²
   double areaRatio = 0.0;             ///< area / target area
   bool interior = false;
-  int majority = -1;  ///< index into the regions of the named label with the largest area (ties: the first); −1 = none
+  /// Index into the regions of the named label with the largest area (ties: the first); −1 = none.
+  int majority = -1;
   double majorityFraction = std::numeric_limits<double>::quiet_NaN();  ///< its share of the element's area
   std::vector<FieldStatistics> fields;
 };
@@ -76,18 +77,21 @@ struct RegionTable {
 
 /// Statistics of every field over every element.
 ///
-/// A vertex weighs in an element by the integral of its hat function over the element (vertexWeights), so that the
-/// mean is the exact mean of the piecewise linear field, whatever the density of the mesh. Vertices that are n/a are left
-/// out and lower the coverage; an element without any valid vertex has n = 0 and n/a throughout. See WeightedStatistics for
-/// the definitions of sd and median.
+/// A vertex weighs in an element by the integral of its hat function over the element (vertexWeights), so
+/// that the mean is the exact mean of the piecewise linear field, whatever the density of the mesh. Vertices
+/// that are n/a are left out and lower the coverage; an element without any valid vertex has n = 0 and n/a
+/// throughout. See WeightedStatistics for the definitions of sd and median.
 ///
-/// @throws GeometryError when a field or the labels do not have one value per vertex, or the grid is of another mesh.
+/// @throws GeometryError when a field or the labels do not have one value per vertex, or the grid is of
+///         another mesh.
 /// @throws InvalidArgument when a region id or a field name is repeated, or a coverage lies outside [0, 1].
 [[nodiscard]] ElementTable elementTable(const TriangleMesh& surface, const ElementGrid& grid,
-                                        const std::vector<SurfaceField>& fields, const SurfaceLabels& labels = {});
+                                        const std::vector<SurfaceField>& fields,
+                                        const SurfaceLabels& labels = {});
 
-/// The same over the regions of an atlas: a vertex belongs to the region of its label with a third of the area of each of
-/// its faces. Rows are in the order of `labels.regions`; a region that does not occur has area 0 and n/a.
+/// The same over the regions of an atlas: a vertex belongs to the region of its label with a third of the
+/// area of each of its faces. Rows are in the order of `labels.regions`; a region that does not occur has
+/// area 0 and n/a.
 [[nodiscard]] RegionTable regionTable(const TriangleMesh& surface, const SurfaceLabels& labels,
                                       const std::vector<SurfaceField>& fields);
 
