@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -53,6 +54,16 @@ Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& sur
   setPoints(map, image);
   addDistortion(map, distortion);
   return distortion;
+}
+
+TargetMeasure targetMeasureOf(vtkPolyData* surface, const TriangleMesh& mesh, const std::string& densityArray) {
+  if (densityArray.empty()) return TargetMeasure(mesh);
+  if (vtkDataArray* perFace = surface->GetCellData()->GetArray(densityArray.c_str());
+      perFace && !surface->GetPointData()->HasArray(densityArray.c_str())) {
+    return TargetMeasure::fromFaceDensity(mesh, toVector(perFace));
+  }
+  return TargetMeasure::fromVertexDensity(
+      mesh, toVector(requireArray(surface->GetPointData(), densityArray, 1, "measure")));
 }
 
 }  // namespace authalic

@@ -2,6 +2,9 @@
 /// The arrays that every map carries (docs/arrays.md).
 #pragma once
 
+#include <string>
+
+#include "Core/authalic/TargetMeasure.h"
 #include "Core/distortion/Distortion.h"
 #include "Core/mesh/TriangleMesh.h"
 #include "vtkAuthalicFiltersParameterizationModule.h"
@@ -20,5 +23,11 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void addDistortion(vtkPolyData* map, c
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input, vtkPolyData* map,
                                                              const TriangleMesh& surface, const Points2& image,
                                                              const Eigen::VectorXd& target = {});
+
+/// The measure that the point (else cell) array of that name asks for; surface area when the name is empty.
+/// @throws InvalidArgument when there is no such array
+[[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TargetMeasure targetMeasureOf(vtkPolyData* surface,
+                                                                                      const TriangleMesh& mesh,
+                                                                                      const std::string& densityArray);
 
 }  // namespace authalic

@@ -8,8 +8,8 @@
 #include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
 #include "FieldArrays.h"
-#include "FilterGuard.h"
 #include "MapArrays.h"
+#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkBarycentricMap);
 
@@ -27,18 +27,27 @@ void vtkBarycentricMap::Compute(vtkInformationVector** inputs, vtkInformationVec
                                 const authalic::Execution& execution) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Report.clear();
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   authalic::BarycentricMapOptions options;
   options.weights = static_cast<authalic::BarycentricWeights>(this->Method);
   options.domain = this->MakeDomain();
   options.startVertex = this->StartVertex;
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
   const authalic::BarycentricMapResult map = authalic::barycentricMap(disk, options, execution);
-  authalic::fillMap(input, output, disk.mesh(), map.image);
-  this->ErrorKind = authalic::reportStatus(this, output, map.status, 1);
-  authalic::addField(output, "Method", std::string(authalic::barycentricWeightsName(options.weights)));
-  authalic::addField(output, "Residuals", map.residual);
-  authalic::addField(output, "Seconds", map.seconds);
-  authalic::addField(output, "Pockets", map.boundary.pocketCount);
+  const int pockets = static_cast<int>(map.boundary.pockets.size());
+  authalic::MapReport report;
+  report.method = authalic::barycentricWeightsName(options.weights);
+  report.status = map.status;
+  report.residuals = {map.residual};
+  report.seconds = {{"solve", map.seconds}};
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), map.image, target.faces()).summary;
+  report.topology = authalic::inspect(disk.mesh(), disk.topology());
+  report.options = this->DescribeOptions();
+  report.options.set("start_vertex", this->StartVertex);
+  report.more.set("pockets", pockets);
+  authalic::addField(output, "Pockets", pockets);
+  this->Publish(output, report);
 }
 
 void vtkBarycentricMap::PrintSelf(ostream& os, vtkIndent indent) {

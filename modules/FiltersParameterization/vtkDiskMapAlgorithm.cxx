@@ -1,6 +1,11 @@
 #include "vtkDiskMapAlgorithm.h"
 
+#include <vtkPolyData.h>
+
 #include "Core/geometry/PlanarDomain.h"
+#include "FieldArrays.h"
+#include "FilterGuard.h"
+#include "Reports/MapReport.h"
 
 void vtkDiskMapAlgorithm::AddPolygonCorner(double x, double y) {
   this->PolygonCorners.insert(this->PolygonCorners.end(), {x, y});
@@ -22,6 +27,27 @@ authalic::PlanarDomain vtkDiskMapAlgorithm::MakeDomain() const {
                                                                        this->GetNumberOfPolygonCorners(), 2));
     default: return PlanarDomain::disk();
   }
+}
+
+authalic::Json vtkDiskMapAlgorithm::DescribeOptions() const {
+  using authalic::Json;
+  static const char* const names[] = {"disk", "square", "rectangle", "polygon"};
+  Json options = Json::object();
+  options.set("domain", names[this->Domain]);
+  if (this->Domain == RECTANGLE) options.set("aspect", this->Aspect);
+  if (this->Domain == POLYGON) options.set("corners", Json::arrayOf(this->PolygonCorners));
+  options.set("measure", this->MeasureArrayName);
+  return options;
+}
+
+void vtkDiskMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport& report) {
+  double total = 0;
+  for (const auto& stage : report.seconds) total += stage.second;
+  authalic::addField(map, "Method", report.method);
+  authalic::addField(map, "Residuals", report.residuals);
+  authalic::addField(map, "Seconds", total);
+  this->Report = authalic::mapReport(report).text();
+  this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
 }
 
 void vtkDiskMapAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {

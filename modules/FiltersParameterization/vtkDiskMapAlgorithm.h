@@ -31,8 +31,9 @@
 
 namespace authalic
 {
+class Json;
 class PlanarDomain;
-class TriangleMesh;
+struct MapReport;
 }
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkDiskMapAlgorithm : public vtkSurfaceAlgorithm
@@ -82,6 +83,12 @@ public:
   vtkGetMacro(MeasureArrayName, std::string);
   ///@}
 
+  /**
+   * What the last execution did, as JSON: status, iterations, residual history, seconds per stage, metrics, flips,
+   * topology, options, version. Empty before it and after an error.
+   */
+  vtkGetMacro(Report, std::string);
+
 protected:
   vtkDiskMapAlgorithm() = default;
   ~vtkDiskMapAlgorithm() override = default;
@@ -89,10 +96,17 @@ protected:
   /** The domain that the properties describe. @throws InvalidArgument */
   authalic::PlanarDomain MakeDomain() const;
 
+  /** Domain and measure as the options of a report. */
+  authalic::Json DescribeOptions() const;
+
+  /** Arrays from `report` (method, status, residuals, seconds), Report and ErrorKind; the image is on `map` already. */
+  void Publish(vtkPolyData* map, const authalic::MapReport& report);
+
   int Domain = DISK;
   double Aspect = 2.0;
   std::vector<double> PolygonCorners;
   std::string MeasureArrayName;
+  std::string Report;
 
 private:
   vtkDiskMapAlgorithm(const vtkDiskMapAlgorithm&) = delete;

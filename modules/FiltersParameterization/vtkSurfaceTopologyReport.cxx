@@ -9,11 +9,9 @@
 #include "Conversion.h"
 #include "Core/mesh/MeshReport.h"
 #include "FieldArrays.h"
+#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkSurfaceTopologyReport);
-
-vtkSurfaceTopologyReport::vtkSurfaceTopologyReport() = default;
-vtkSurfaceTopologyReport::~vtkSurfaceTopologyReport() = default;
 
 namespace {
 
@@ -76,18 +74,19 @@ void vtkSurfaceTopologyReport::Compute(vtkInformationVector** inputs, vtkInforma
                                        const authalic::Execution&) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report.reset();
+  this->Summary.clear();
+  this->Report.clear();
   const authalic::TriangleMesh mesh = authalic::toTriangleMesh(input);
   const authalic::SurfaceTopology topology(mesh.faces(), mesh.vertexCount());
-  this->Report = std::make_shared<const MeshReport>(authalic::inspect(mesh, topology));
+  const MeshReport report = authalic::inspect(mesh, topology);
   output->ShallowCopy(input);
-  addPlaces(output, *this->Report, topology);
-  addNumbers(output, *this->Report);
+  addPlaces(output, report, topology);
+  addNumbers(output, report);
+  this->Summary = report.summary();
+  this->Report = authalic::meshReport(report).text();
 }
-
-std::string vtkSurfaceTopologyReport::GetSummary() const { return this->Report ? this->Report->summary() : std::string(); }
 
 void vtkSurfaceTopologyReport::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Summary: " << this->GetSummary() << "\n";
+  os << indent << "Summary: " << this->Summary << "\n";
 }

@@ -28,13 +28,7 @@
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkSurfaceAlgorithm.h"
 
-#include <memory> // for Report
-#include <string> // for GetSummary
-
-namespace authalic
-{
-struct MeshReport;
-}
+#include <string> // for Summary and Report
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkSurfaceTopologyReport : public vtkSurfaceAlgorithm
 {
@@ -44,18 +38,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** What the last execution found, in one line; empty before it. */
-  std::string GetSummary() const;
+  vtkGetMacro(Summary, std::string);
 
-  /** All of what the last execution found (C++ only); null before it. */
-  const authalic::MeshReport* GetReport() const { return this->Report.get(); }
+  /** All of it as JSON, every defect with its place; empty before the first execution and after an error. */
+  vtkGetMacro(Report, std::string);
 
 protected:
-  vtkSurfaceTopologyReport();
-  ~vtkSurfaceTopologyReport() override;
+  vtkSurfaceTopologyReport() = default;
+  ~vtkSurfaceTopologyReport() override = default;
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  std::shared_ptr<const authalic::MeshReport> Report;
+  std::string Summary, Report;
 
 private:
   vtkSurfaceTopologyReport(const vtkSurfaceTopologyReport&) = delete;
