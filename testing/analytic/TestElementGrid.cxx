@@ -90,3 +90,18 @@ TEST(ElementGrid, ApproachesEqualAreasOnLambertsMapWithSecondOrder) {
   }
   EXPECT_LT(coarse, 1e-3);
 }
+
+TEST(ElementGrid, KeepsTheFrameOfASquareFromWhichAnEarBulges) {
+  const TriangleMesh square = gridMesh(20, 20);
+  Points2 image = flatImage(square);
+  image(10, 1) = -0.004;          // on the lower side
+  image(21 * 5, 0) = -0.002;      // on the left side
+  image(21 * 20 + 7, 1) = 1.003;  // on the upper side
+  const ElementGrid grid = elementGrid(square, image, {100});
+  EXPECT_EQ(grid.lines.lower, (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(grid.lines.upper, (std::array<double, 2>{1, 1}));
+  EXPECT_EQ(grid.deviation.interiorElements, 100);
+  ElementGridOptions box{100};
+  box.frame = GridFrame::BoundingBox;
+  EXPECT_EQ(elementGrid(square, image, box).lines.lower[1], -0.004);
+}

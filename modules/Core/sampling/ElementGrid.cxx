@@ -64,9 +64,36 @@ Box boundingBox(const Faces& faces, const Points2& image) {
   return box;
 }
 
-bool fillsUnitDisk(const TriangleMesh& surface, const Points2& image) {
+/// Moves each side of the box to the straight line nearby that at least half a side of the boundary runs
+/// along: the sides of a rectangle, when small parts of the boundary (ear triangles) bulge out of them.
+void snapToStraightSides(Box& box, const SurfaceTopology& topology, const Points2& image) {
+  constexpr double kOnLine = 1e-9, kNearby = 0.05;
+  const Box whole = box;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double extent = whole[1][a] - whole[0][a], across = whole[1][1 - a] - whole[0][1 - a];
+    std::vector<std::array<double, 2>> runs;  // place of the line, length along it
+    for (int h = 0; h < 3 * static_cast<int>(topology.faces().rows()); ++h) {
+      if (topology.opposite(h) >= 0) continue;
+      const Eigen::RowVector2d from = image.row(topology.tail(h)), to = image.row(topology.head(h));
+      if (std::abs(to[axis] - from[axis]) > kOnLine * extent) continue;
+      runs.push_back({from[axis], std::abs(to[1 - axis] - from[1 - axis])});
+    }
+    std::sort(runs.begin(), runs.end());
+    double length = 0.0;
+    bool lowerFound = false;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      length = k > 0 && runs[k][0] - runs[k - 1][0] <= kOnLine * extent ? length + runs[k][1] : runs[k][1];
+      if (length < 0.5 * across) continue;
+      if (!lowerFound && runs[k][0] - whole[0][a] <= kNearby * extent) box[0][a] = runs[k][0];
+      lowerFound = true;
+      if (whole[1][a] - runs[k][0] <= kNearby * extent) box[1][a] = runs[k][0];
+    }
+  }
+}
+
+bool fillsUnitDisk(const TriangleMesh& surface, const SurfaceTopology& topology, const Points2& image) {
   constexpr double kTolerance = 1e-6;
-  const SurfaceTopology topology(surface.faces(), surface.vertexCount());
   bool anyBoundary = false;
   for (int v = 0; v < surface.vertexCount(); ++v) {
     const double radius = image.row(v).norm();
@@ -78,9 +105,14 @@ bool fillsUnitDisk(const TriangleMesh& surface, const Points2& image) {
 }
 
 Box gridFrame(const TriangleMesh& surface, const Points2& image, GridFrame frame) {
-  const Box box = boundingBox(surface.faces(), image);
-  if (frame == GridFrame::BoundingBox || (frame == GridFrame::Automatic && !fillsUnitDisk(surface, image))) {
-    return box;
+  Box box = boundingBox(surface.faces(), image);
+  if (frame == GridFrame::BoundingBox) return box;
+  if (frame == GridFrame::Automatic) {
+    const SurfaceTopology topology(surface.faces(), surface.vertexCount());
+    if (!fillsUnitDisk(surface, topology, image)) {
+      snapToStraightSides(box, topology, image);
+      return box;
+    }
   }
   if (std::min(box[0][0], box[0][1]) < -1.01 || std::max(box[1][0], box[1][1]) > 1.01) {
     throw GeometryError(
@@ -184,7 +216,7 @@ void addElements(ElementGrid& grid, const Cells& cells, const std::vector<int>& 
     element.lower = {lines.line(0, element.i), lines.line(1, element.j)};
     element.upper = {lines.line(0, element.i + 1), lines.line(1, element.j + 1)};
     element.imageArea = cells.covered[c];
-    element.interior = std::abs(cells.covered[c] - lines.cellArea()) <= kWholeCell * lines.cellArea();
+    element.interior = cells.covered[c] >= (1.0 - kWholeCell) * lines.cellArea();
     grid.elements.push_back(element);
   }
   for (std::size_t c = 0; c < host.size(); ++c) {

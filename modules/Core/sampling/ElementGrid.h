@@ -13,7 +13,7 @@ namespace authalic {
 /// Which rectangle the grid divides.
 enum class GridFrame {
   Automatic,  ///< [−1, 1]² when every point of the image lies in the unit disk and its boundary on the unit
-              ///< circle (to 1e-6), else the bounding box
+              ///< circle (to 1e-6), else the bounding box without what bulges out of straight sides
   UnitDisk,     ///< [−1, 1]²: the same grid for every map to the unit disk
   BoundingBox,  ///< the bounding box of the image: squares and rectangles are tiled exactly
 };
@@ -59,7 +59,7 @@ struct Element {
   double targetArea = 0.0;                         ///< surface area × share of the image area, mm²
   double imageArea = 0.0;                          ///< part of the element that the image covers
   Eigen::Vector3d centroid{0, 0, 0};               ///< area-weighted, mm; need not lie on the surface
-  bool interior = false;                           ///< exactly one cell, wholly inside the image
+  bool interior = false;                           ///< exactly one cell, wholly covered by the image
 };
 
 /// The part of a face that an element owns.
@@ -97,8 +97,8 @@ struct ElementGrid {
 /// (@cite zou2011).
 ///
 /// The map is linear on each face, so the preimage of a cell in a face is a convex polygon. It is cut out
-/// exactly, line by line (@cite sutherland1974), in barycentric coordinates: its share of the native face is an
-/// affine invariant, hence also right for faces whose image is flipped or collapsed, which are listed, not
+/// exactly, line by line (@cite sutherland1974), in barycentric coordinates: its share of the native face is
+/// an affine invariant, hence also right for faces whose image is flipped or collapsed, which are listed, not
 /// dropped. element area = Σ_faces A_face · fraction.
 ///
 /// On an area-preserving map every interior element has the area surfaceArea · cellArea / imageArea;
@@ -112,7 +112,8 @@ struct ElementGrid {
 ///
 /// @param surface  n vertices, mm
 /// @param image    n×2, the image of each vertex
-/// @throws GeometryError when image and surface differ in length, a coordinate is not finite, surface or image
+/// @throws GeometryError when image and surface differ in length, a coordinate is not finite, surface or
+/// image
 ///         has no area, or the image leaves the frame by more than 1 %.
 /// @throws InvalidArgument for bad options, or when more than 4,000,000 cells would result.
 [[nodiscard]] ElementGrid elementGrid(const TriangleMesh& surface, const Points2& image,
