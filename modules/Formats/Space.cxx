@@ -4,9 +4,12 @@ namespace authalic {
 
 const char* coordinateSpaceName(CoordinateSpace space) noexcept {
   switch (space) {
-    case CoordinateSpace::ScannerRAS: return "scanner-ras";
-    case CoordinateSpace::TkRAS: return "tkras";
-    case CoordinateSpace::Unknown: break;
+    case CoordinateSpace::ScannerRAS:
+      return "scanner-ras";
+    case CoordinateSpace::TkRAS:
+      return "tkras";
+    case CoordinateSpace::Unknown:
+      break;
   }
   return "unknown";
 }

@@ -40,6 +40,12 @@ FileKind recogniseMagicFfffff(const FileBytes& bytes) {
   return FileKind::FreeSurferMorphometry;
 }
 
+bool isObjName(const std::string& path) {
+  const auto dot = path.find_last_of("./");
+  const std::string end = dot == std::string::npos ? "" : path.substr(dot);
+  return end == ".obj" || end == ".OBJ";
+}
+
 }  // namespace
 
 FileKind recognise(const FileBytes& bytes) {
@@ -60,6 +66,9 @@ FileKind recognise(const FileBytes& bytes) {
   }
   const auto line = ByteCursor("", bytes).line();
   const auto word = line.substr(0, line.find_first_of(" \t\r"));
+  if (word == "ply") {
+    return FileKind::Ply;
+  }
   const bool off = word.size() >= 3 && word.size() <= 7 && word.compare(word.size() - 3, 3, "OFF") == 0;
   return off ? FileKind::Off : FileKind::Other;
 }
@@ -78,6 +87,8 @@ const char* fileKindName(FileKind kind) noexcept {
       return "a GIFTI file";
     case FileKind::Off:
       return "an OFF file";
+    case FileKind::Ply:
+      return "a PLY file";
     case FileKind::Other:
       break;
   }
@@ -116,10 +127,16 @@ SurfaceFile readSurface(const std::string& path) {
     case FileKind::Off:
       surface = parseOff(path, bytes);
       break;
+    case FileKind::Ply:
+      surface = parsePly(path, bytes);
+      break;
     default:
-      throw FormatError(path,
-                        std::string("A surface (FreeSurfer, GIFTI or OFF) is needed, but the file is ") +
-                            fileKindName(kind) + ".");
+      if (kind != FileKind::Other || !isObjName(path)) {
+        throw FormatError(
+            path, std::string("A surface (FreeSurfer, GIFTI, OFF, PLY or OBJ) is needed, but the file is ") +
+                      fileKindName(kind) + ".");
+      }
+      surface = parseObj(path, bytes);
   }
   checkFaceIndices(path, surface);
   return surface;

@@ -1,5 +1,5 @@
 /// @file
-/// Triangle surfaces in files: FreeSurfer, GIFTI and OFF, and the space their coordinates live in.
+/// Triangle surfaces in files: FreeSurfer, GIFTI, OFF, PLY and OBJ, and the space their coordinates live in.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,9 @@ struct SurfaceFile {
   [[nodiscard]] std::size_t faceCount() const noexcept { return faces.size() / 3; }
 };
 
-/// Reads a FreeSurfer surface (triangle, old and new quadrangle), a GIFTI surface (.gii, also gzipped) or an
-/// ASCII OFF file; the kind is found from the content, not from the name.
+/// Reads a FreeSurfer surface (triangle, old and new quadrangle), a GIFTI surface, an ASCII OFF file, a PLY
+/// file or a Wavefront OBJ file, gzipped or not; the kind is found from the content, OBJ alone from its name.
+/// Of OBJ only vertices and faces are read: texture seams do not tear the surface.
 ///
 /// Guarantees: every face index lies in [0, n); order of vertices and faces as in the file (polygons of OFF
 /// and quadrangles of FreeSurfer become triangles in place). Coordinates are passed as they are, NaN
@@ -37,7 +38,7 @@ struct SurfaceFile {
 ///  - GIFTI: DataSpace NIFTI_XFORM_SCANNER_ANAT → scanner RAS; else VolGeom with a centre → tkRAS; else
 ///  unknown.
 ///    CoordinateSystemTransformMatrix is not applied (nor do Workbench and nibabel).
-///  - OFF: unknown.
+///  - OFF, PLY, OBJ: unknown.
 /// @throws FormatError when the file is missing, of another kind, truncated or inconsistent
 [[nodiscard]] SurfaceFile readSurface(const std::string& path);
 
@@ -57,5 +58,13 @@ void writeFreeSurferSurface(const std::string& path, const SurfaceFile& surface)
 /// all.
 /// @throws FormatError when the file cannot be written
 void writeOff(const std::string& path, const SurfaceFile& surface);
+
+/// Binary little-endian PLY with double coordinates; losses as for OFF.
+/// @throws FormatError when the file cannot be written
+void writePly(const std::string& path, const SurfaceFile& surface);
+
+/// Wavefront OBJ with all digits of the doubles; losses as for OFF.
+/// @throws FormatError when the file cannot be written
+void writeObj(const std::string& path, const SurfaceFile& surface);
 
 }  // namespace authalic

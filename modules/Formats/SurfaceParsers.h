@@ -20,6 +20,7 @@ enum class FileKind {
   FreeSurferPatch,
   Gifti,
   Off,
+  Ply,
   Other
 };
 
@@ -32,6 +33,8 @@ enum class FileKind {
 [[nodiscard]] SurfaceFile parseFreeSurferQuads(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseGiftiSurface(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseOff(const std::string& path, const FileBytes& bytes);
+[[nodiscard]] SurfaceFile parsePly(const std::string& path, const FileBytes& bytes);
+[[nodiscard]] SurfaceFile parseObj(const std::string& path, const FileBytes& bytes);
 
 /// @throws FormatError naming the first face with an index outside [0, n), or when there is no vertex
 void checkFaceIndices(const std::string& path, const SurfaceFile& surface);

@@ -1,0 +1,275 @@
+#include "VtkSurfaceFormats.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataReader.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkSTLReader.h>
+#include <vtkSTLWriter.h>
+#include <vtkSmartPointer.h>
+#include <vtkTriangleFilter.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "Core/base/Error.h"
+#include "Formats/AtomicFile.h"
+#include "Formats/ByteCursor.h"
+#include "Formats/InputFile.h"
+#include "Formats/TextNumbers.h"
+
+namespace authalic {
+
+namespace {
+
+/// Keeps what VTK would print.
+class ErrorListener : public vtkCommand {
+ public:
+  static ErrorListener* New() { return new ErrorListener; }
+  void Execute(vtkObject*, unsigned long, void* data) override {
+    if (words_.empty() && data) {
+      words_ = static_cast<const char*>(data);
+    }
+    heard_ = true;
+  }
+  [[nodiscard]] bool heard() const noexcept { return heard_; }
+  /// The first message, without VTK's place in the source.
+  [[nodiscard]] std::string words() const {
+    const auto colon = words_.rfind("): ");
+    std::string text = colon == std::string::npos ? words_ : words_.substr(colon + 3);
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    const auto end = text.find_last_not_of(" .");
+    return text.substr(0, end == std::string::npos ? 0 : end + 1);
+  }
+
+ private:
+  std::string words_;
+  bool heard_ = false;
+};
+
+void observe(vtkAlgorithm* algorithm, ErrorListener* listener) {
+  algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
+  algorithm->AddObserver(vtkCommand::WarningEvent, listener);
+  algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
+  if (auto* xml = vtkXMLReader::SafeDownCast(algorithm)) {
+    xml->SetParserErrorObserver(listener);
+  }
+}
+
+/// A claim of more items than the file has bytes is refused before VTK allocates for it.
+void checkClaim(const std::string& path, std::string_view number, std::uint64_t bytes) {
+  const auto claimed = parseNumber<std::int64_t>(number);
+  if (!claimed || *claimed < 0 || static_cast<std::uint64_t>(*claimed) > bytes) {
+    throw FormatError(path, "The file claims " + std::string(number.substr(0, 24)) + " items but holds " +
+                                std::to_string(bytes) + " bytes; it is damaged or truncated.");
+  }
+}
+
+/// Counts of a legacy file stand in lines that begin with one of a few words.
+void checkLegacyClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  ByteCursor cursor(path, bytes);
+  const std::string first = cursor.line();
+  if (first.substr(0, 5) != "# vtk") {
+    throw FormatError(path, "A legacy VTK file begins with \"# vtk DataFile\", but this one does not.");
+  }
+  while (cursor.remaining() > 0) {
+    const std::string line = cursor.line();
+    std::string_view rest = line;
+    const auto word = nextToken(rest);
+    const bool cells =
+        word == "POLYGONS" || word == "VERTICES" || word == "LINES" || word == "TRIANGLE_STRIPS";
+    if (cells || word == "POINTS" || word == "POINT_DATA" || word == "CELL_DATA") {
+      checkClaim(path, nextToken(rest), bytes.size());
+      if (cells) {
+        checkClaim(path, nextToken(rest), bytes.size());
+      }
+    }
+  }
+}
+
+/// A binary STL file is 84 bytes and 50 for each triangle; an ASCII one begins with "solid" and has facets.
+void checkStlClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
+                              std::min<std::size_t>(bytes.size(), 4096));
+  if (text.find("facet") != std::string_view::npos && text.find("solid") != std::string_view::npos) {
+    return;
+  }
+  ByteCursor cursor(path, bytes, ByteOrder::Little);
+  cursor.seek(80);
+  const auto triangles = cursor.next<std::uint32_t>("the number of triangles");
+  cursor.need(triangles, 50, "the list of triangles");
+}
+
+void checkClaims(const std::string& path, const std::string& extension) {
+  const auto bytes = readBytes(path);
+  if (bytes.size() >= 2 && InputFile(path).compressed()) {
+    throw FormatError(path, "Compressed " + extension + " files are not read; unpack it with gunzip first.");
+  }
+  if (extension == ".vtk") {
+    checkLegacyClaims(path, bytes);
+  } else if (extension == ".stl") {
+    checkStlClaims(path, bytes);
+  }
+}
+
+template <class Reader>
+void run(Reader* reader, const std::string& path, vtkPolyData* output) {
+  vtkNew<ErrorListener> listener;
+  observe(reader, listener);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (listener->heard() || reader->GetErrorCode() != vtkErrorCode::NoError) {
+    const std::string words = listener->words();
+    throw FormatError(
+        path, "VTK cannot read the surface (" +
+                  (words.empty() ? vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()) : words) +
+                  ").");
+  }
+  output->ShallowCopy(reader->GetOutput());
+}
+
+void readByExtension(const std::string& path, const std::string& extension, vtkPolyData* output) {
+  if (extension == ".vtp") {
+    vtkNew<vtkXMLPolyDataReader> reader;
+    run(reader.Get(), path, output);
+  } else if (extension == ".vtk") {
+    vtkNew<vtkPolyDataReader> reader;
+    reader->ReadAllScalarsOn();
+    reader->ReadAllVectorsOn();
+    reader->ReadAllFieldsOn();
+    reader->ReadAllNormalsOn();
+    reader->ReadAllTensorsOn();
+    reader->ReadAllTCoordsOn();
+    reader->ReadAllColorScalarsOn();
+    run(reader.Get(), path, output);
+  } else {
+    vtkNew<vtkSTLReader> reader;
+    reader->MergingOn();
+    run(reader.Get(), path, output);
+  }
+}
+
+void checkCells(const std::string& path, vtkCellArray* cells, vtkIdType points) {
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell()) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(size, ids);
+    for (vtkIdType k = 0; k < size; ++k) {
+      if (ids[k] < 0 || ids[k] >= points) {
+        throw FormatError(path, "Cell " + std::to_string(cell->GetCurrentCellId()) + " names point " +
+                                    std::to_string(ids[k]) + ", but the file holds " +
+                                    std::to_string(points) + " points; it is damaged.");
+      }
+    }
+  }
+}
+
+bool hasOnlyTriangles(vtkPolyData* surface) {
+  const bool others =
+      surface->GetNumberOfVerts() + surface->GetNumberOfLines() + surface->GetNumberOfStrips() > 0;
+  return !others && (surface->GetNumberOfPolys() == 0 || surface->GetPolys()->IsHomogeneous() == 3);
+}
+
+void triangulate(const std::string& path, vtkPolyData* surface) {
+  if (hasOnlyTriangles(surface)) {
+    return;
+  }
+  vtkNew<ErrorListener> listener;
+  vtkNew<vtkTriangleFilter> filter;
+  observe(filter.Get(), listener);
+  filter->PassVertsOff();
+  filter->PassLinesOff();
+  filter->SetInputData(surface);
+  filter->Update();
+  if (listener->heard()) {
+    throw FormatError(
+        path, "The polygons of the surface cannot be made into triangles (" + listener->words() + ").");
+  }
+  surface->ShallowCopy(filter->GetOutput());
+}
+
+void toDoublePoints(vtkPolyData* surface) {
+  if (!surface->GetPoints() || surface->GetPoints()->GetDataType() == VTK_DOUBLE) {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(surface->GetPoints());
+  surface->SetPoints(points);
+}
+
+template <class Writer>
+void runWriter(Writer* writer, const std::string& path, vtkPolyData* surface) {
+  AtomicFile file(path);
+  vtkNew<ErrorListener> listener;
+  observe(writer, listener);
+  writer->SetInputData(surface);
+  writer->SetFileName(file.temporaryPath().c_str());
+  writer->Write();
+  if (listener->heard() || writer->GetErrorCode() != vtkErrorCode::NoError) {
+    throw FormatError(path, "The surface cannot be written (" + listener->words() + ").");
+  }
+  file.commit();
+}
+
+}  // namespace
+
+std::string extensionOf(const std::string& path) {
+  std::string name = path.substr(path.find_last_of('/') + 1);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) {
+    name.resize(name.size() - 3);
+  }
+  const auto dot = name.rfind('.');
+  return dot == std::string::npos ? std::string() : name.substr(dot);
+}
+
+bool isVtkSurfaceName(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  return extension == ".vtp" || extension == ".vtk" || extension == ".stl";
+}
+
+void readVtkSurface(const std::string& path, vtkPolyData* output) {
+  const std::string extension = extensionOf(path);
+  checkClaims(path, extension);
+  readByExtension(path, extension, output);
+  if (output->GetNumberOfPoints() == 0) {
+    throw FormatError(path, "A surface with vertices is needed, but the file holds none that VTK can read.");
+  }
+  for (vtkCellArray* cells :
+       {output->GetPolys(), output->GetStrips(), output->GetLines(), output->GetVerts()}) {
+    checkCells(path, cells, output->GetNumberOfPoints());
+  }
+  triangulate(path, output);
+  toDoublePoints(output);
+}
+
+void writeVtkSurface(const std::string& path, vtkPolyData* surface) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".vtp") {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    runWriter(writer.Get(), path, surface);
+  } else if (extension == ".vtk") {
+    vtkNew<vtkPolyDataWriter> writer;
+    writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
+    writer->SetFileTypeToBinary();
+    runWriter(writer.Get(), path, surface);
+  } else {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileTypeToBinary();
+    runWriter(writer.Get(), path, surface);
+  }
+}
+
+}  // namespace authalic

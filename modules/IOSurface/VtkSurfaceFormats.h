@@ -1,0 +1,28 @@
+/// @file
+/// The surface formats that are left to VTK's readers and writers: STL, VTP and legacy VTK.
+#pragma once
+
+#include <string>
+
+class vtkPolyData;
+
+namespace authalic {
+
+/// Whether the name ends in .vtp, .vtk or .stl.
+[[nodiscard]] bool isVtkSurfaceName(const std::string& path);
+
+/// Reads with VTK. Counts that the file cannot hold are refused before VTK sees them; VTK's errors and cells
+/// that point outside the vertices are refused after. Polygons and strips become triangles, lines and
+/// vertices are dropped, equal points of STL are merged; arrays are kept; points become double precision.
+/// @throws FormatError
+void readVtkSurface(const std::string& path, vtkPolyData* output);
+
+/// Writes with VTK, whole or not at all: .vtp (appended, compressed), .stl (binary), .vtk
+/// (legacy 4.2, binary).
+/// @throws FormatError
+void writeVtkSurface(const std::string& path, vtkPolyData* surface);
+
+/// The last part of a name from its dot, in small letters, without .gz.
+[[nodiscard]] std::string extensionOf(const std::string& path);
+
+}  // namespace authalic

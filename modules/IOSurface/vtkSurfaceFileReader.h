@@ -1,0 +1,73 @@
+/**
+ * @class vtkSurfaceFileReader
+ * @brief Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
+ *
+ * FreeSurfer, GIFTI (.gii, .gii.gz), OFF, PLY and OBJ are read by Authalic's own readers, .vtp, legacy .vtk and .stl by
+ * VTK's. Polygons and strips become triangles, lines and vertices are dropped, equal points of STL are merged.
+ *
+ * Output (port 0, vtkPolyData): points in double precision, triangles in the order of the file, the arrays of .vtp
+ * and .vtk. Points are brought to scanner RAS mm when the file states its space or AssumeSpace asserts it, by the full
+ * formula x = D P⁻¹ x_tk + c_ras; otherwise they stay as they are and CoordinateSpace is "unknown".
+ *
+ * | field data | type | meaning |
+ * |---|---|---|
+ * | CoordinateSpace | text | "scanner-ras" or "unknown" |
+ * | CoordinateSpaceReason | text | how that was decided |
+ * | VolumeGeometry | double[18] | FreeSurfer's volume geometry, when known: dimensions, voxel size, xras, yras, zras, c_ras |
+ * | VolumeGeometryFile | text | its file name |
+ * | AnatomicalStructurePrimary, AnatomicalStructureSecondary, GeometricType, TopologicalType, Name | text | from GIFTI |
+ *
+ * On failure one sentence goes to the error macro, the output is empty, GetErrorKind() and GetErrorCode() are set.
+ */
+#ifndef vtkSurfaceFileReader_h
+#define vtkSurfaceFileReader_h
+
+#include "vtkAuthalicIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceAlgorithm.h"
+
+class VTKAUTHALICIOSURFACE_EXPORT vtkSurfaceFileReader : public vtkSurfaceAlgorithm
+{
+public:
+  static vtkSurfaceFileReader* New();
+  vtkTypeMacro(vtkSurfaceFileReader, vtkSurfaceAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum AssumeSpaceType
+  {
+    AS_STATED = 0,
+    SCANNER_RAS = 1,
+    TK_RAS = 2
+  };
+
+  ///@{
+  /** The file to read. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** The space to take the coordinates to be in whatever the file says: AS_STATED (0, believe the file; default),
+   * SCANNER_RAS (1), TK_RAS (2; the file must carry the volume geometry). */
+  vtkSetClampMacro(AssumeSpace, int, AS_STATED, TK_RAS);
+  vtkGetMacro(AssumeSpace, int);
+  void SetAssumeSpaceToAsStated() { this->SetAssumeSpace(AS_STATED); }
+  void SetAssumeSpaceToScannerRAS() { this->SetAssumeSpace(SCANNER_RAS); }
+  void SetAssumeSpaceToTkRAS() { this->SetAssumeSpace(TK_RAS); }
+  ///@}
+
+protected:
+  vtkSurfaceFileReader();
+  ~vtkSurfaceFileReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
+
+  char* FileName = nullptr;
+  int AssumeSpace = AS_STATED;
+
+private:
+  vtkSurfaceFileReader(const vtkSurfaceFileReader&) = delete;
+  void operator=(const vtkSurfaceFileReader&) = delete;
+};
+
+#endif

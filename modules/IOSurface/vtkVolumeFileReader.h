@@ -1,0 +1,75 @@
+/**
+ * @class vtkVolumeFileReader
+ * @brief Reads a NIfTI-1, NIfTI-2 or MGH volume so that physical coordinates are scanner RAS mm.
+ *
+ * Output (port 0, vtkImageData): point scalars `Values`, int when the file holds whole numbers of up to 32 bits without
+ * scaling, else float with scl_slope and scl_inter applied and NaN kept. Origin, spacing and direction matrix come from
+ * the affine of the file, voxels stay in its order: voxel (i, j, k) has its centre where the file says. Extent starts at 0.
+ *
+ * | field data | type | meaning |
+ * |---|---|---|
+ * | CoordinateSpace | text | "scanner-ras", or "unknown" when the file does not orient itself |
+ * | CoordinateSpaceReason | text | which transform was used |
+ * | Frames | int | frames in the file |
+ * | Warnings | text[] | sform and qform disagree, units not stated … (absent when there is none) |
+ *
+ * The file is read once, when the pipeline asks for its information, and handed on by the request for data. On failure
+ * one sentence goes to the error macro, GetErrorKind() and GetErrorCode() are set.
+ */
+#ifndef vtkVolumeFileReader_h
+#define vtkVolumeFileReader_h
+
+#include "vtkAuthalicIOSurfaceModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+#include <memory> // for the file between the two requests
+
+namespace authalic
+{
+struct VolumeFile;
+}
+
+class VTKAUTHALICIOSURFACE_EXPORT vtkVolumeFileReader : public vtkImageAlgorithm
+{
+public:
+  static vtkVolumeFileReader* New();
+  vtkTypeMacro(vtkVolumeFileReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to read: .nii, .nii.gz, .hdr/.img (also gzipped), .mgh or .mgz. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** Which frame of a file of more than three dimensions, from 0. Default 0. */
+  vtkSetClampMacro(Frame, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Frame, int);
+  ///@}
+
+  /** How the last execution ended, as vtkSurfaceAlgorithm::ErrorKindType: 0 well, 5 the file is at fault. */
+  vtkGetMacro(ErrorKind, int);
+
+protected:
+  vtkVolumeFileReader();
+  ~vtkVolumeFileReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  char* FileName = nullptr;
+  int Frame = 0;
+  int ErrorKind = 0;
+
+private:
+  vtkVolumeFileReader(const vtkVolumeFileReader&) = delete;
+  void operator=(const vtkVolumeFileReader&) = delete;
+
+  void ReadFile();
+
+  std::shared_ptr<const authalic::VolumeFile> File;
+  vtkMTimeType ReadTime = 0;
+};
+
+#endif
