@@ -47,18 +47,24 @@ bool inDeepFill(const Eigen::Vector3d& frame) {
          inEllipsoid(p, {12, -17, 8}, {12, 15, 11}) || inEllipsoid(p, {13, 14, 10}, {7, 14, 13});
 }
 
+bool inLateralFill(const Eigen::Vector3d& frame) {
+  return inEllipsoid({std::abs(frame[0]), frame[1], frame[2]}, {28, 3, 2}, {13, 24, 18});
+}
+
 bool inHindbrainCore(const Eigen::Vector3d& frame) {
   const Eigen::Vector3d p(std::abs(frame[0]), frame[1], frame[2]);
   const bool midbrain = p[0] < 16 && p[1] > -40 && p[1] < 0 && p[2] < midbrainPlane(p[1]) && p[2] > -20;
   const bool pons = p[0] < 12 && p[1] > -45 && p[1] < -8 && p[2] <= -20;
-  return midbrain || pons || inEllipsoid(p, {0, -58, -38}, {34, 20, 14});
+  const bool chiasm = p[0] < 10 && p[1] > -9 && p[1] < 9 && p[2] > -26 && p[2] < -11.5;
+  return midbrain || pons || chiasm || inEllipsoid(p, {0, -58, -38}, {34, 20, 14});
 }
 
 bool inCerebrumCore(const Eigen::Vector3d& frame) {
   const Eigen::Vector3d p(std::abs(frame[0]), frame[1], frame[2]);
   const bool above = p[2] > 8 || (p[2] > midbrainPlane(p[1]) + 1 && p[1] > -38);
   const bool temporal = (p[0] > 26 && p[1] > -18) || (p[0] > 45 && p[2] > -16);
-  return above || temporal || p[1] > 6 || (p[1] < -60 && p[2] > -4);
+  const bool front = p[1] > 16 || (p[1] > 6 && (p[0] > 14 || p[2] > -11));
+  return above || temporal || front || (p[1] < -60 && p[2] > -4);
 }
 
 }  // namespace authalic

@@ -15,6 +15,9 @@ namespace authalic {
 /// subcortical grey matter).
 [[nodiscard]] bool inDeepFill(const Eigen::Vector3d& frame);
 
+/// Around the insula's white matter, the capsules and the claustrum.
+[[nodiscard]] bool inLateralFill(const Eigen::Vector3d& frame);
+
 /// Certainly brainstem or cerebellum: the brainstem's column below the plane through the midbrain, and the
 /// cerebellar core.
 [[nodiscard]] bool inHindbrainCore(const Eigen::Vector3d& frame);

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "Core/base/Error.h"
+#include "Core/geometry/Areas.h"
 #include "Core/geometry/Decimation.h"
 #include "Core/imaging/HomotopicGrowing.h"
 #include "Core/imaging/Isosurface.h"
@@ -109,14 +110,6 @@ ScalarVolume surfaceField(const Hemisphere& h, const MaskVolume& grown, const Ex
   return field;
 }
 
-double areaOf(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    sum += 0.5 * (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm();
-  }
-  return sum;
-}
-
 HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const CorticalSurfaceOptions& options,
                               StopWatch& watch, const Execution& execution) {
   const std::string name = side == kLeft ? "left " : "right ";
@@ -143,7 +136,7 @@ HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const Co
   out.medialWall = findMedialWall(out.mesh, h.filled, h.foreign, options.medialWallReach, execution);
   watch.lap(name + "medial wall");
   out.eulerCharacteristic = SurfaceTopology(out.mesh.faces(), out.mesh.vertexCount()).eulerCharacteristic();
-  out.area = areaOf(out.mesh);
+  out.area = faceAreas(out.mesh).sum();
   out.volume = enclosedVolume(out.mesh);
   out.medialWallShare = regionArea(out.mesh, out.medialWall) / out.area;
   execution.report(1, name + "surface");

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "Core/geometry/Areas.h"
 #include "Core/imaging/VolumeFilters.h"
 
 namespace authalic {
@@ -37,20 +38,9 @@ void smoothRegion(std::vector<char>& region, const Adjacency& neighbours, int ro
   for (std::size_t v = 0; v < value.size(); ++v) region[v] = value[v] > 0.5f;
 }
 
-// Area of the faces around every vertex.
-std::vector<double> starAreas(const TriangleMesh& mesh) {
-  std::vector<double> areas(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    const double area =
-        (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm() / 6;
-    for (int k = 0; k < 3; ++k) areas[static_cast<std::size_t>(mesh.faces()(f, k))] += area;
-  }
-  return areas;
-}
-
 // Flips every vertex of `side` that is not in the component of that side with the largest area.
 void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbours,
-                 const std::vector<double>& areas) {
+                 const Eigen::VectorXd& areas) {
   std::vector<int> component(region.size(), -1), front;
   std::vector<double> sizes;
   for (std::size_t seed = 0; seed < region.size(); ++seed) {
@@ -62,7 +52,7 @@ void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbou
     while (!front.empty()) {
       const auto v = static_cast<std::size_t>(front.back());
       front.pop_back();
-      sizes.back() += areas[v];
+      sizes.back() += areas[static_cast<Eigen::Index>(v)];
       for (const int n : neighbours[v]) {
         const auto u = static_cast<std::size_t>(n);
         if (region[u] != side || component[u] >= 0) continue;
@@ -94,8 +84,8 @@ std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& fil
     region[v] = source.contains(i, j, k) && distance.at(i, j, k) <= reach;
   }
   const Adjacency neighbours = adjacencyOf(mesh);
-  const std::vector<double> areas = starAreas(mesh);
-  smoothRegion(region, neighbours, 10);
+  const Eigen::VectorXd areas = vertexStars(faceAreas(mesh), mesh.faces(), mesh.vertexCount());
+  smoothRegion(region, neighbours, 40);
   keepLargest(region, 1, neighbours, areas);
   keepLargest(region, 0, neighbours, areas);
   if (std::count(region.begin(), region.end(), 1) == static_cast<std::ptrdiff_t>(region.size()))
@@ -104,14 +94,10 @@ std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& fil
 }
 
 double regionArea(const TriangleMesh& mesh, const std::vector<char>& region) {
+  const Eigen::VectorXd areas = vertexStars(faceAreas(mesh), mesh.faces(), mesh.vertexCount());
   double sum = 0;
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    int inside = 0;
-    for (int k = 0; k < 3; ++k) inside += region[static_cast<std::size_t>(mesh.faces()(f, k))];
-    if (inside == 0) continue;
-    sum += inside / 6.0 *
-           (mesh.corner(f, 1) - mesh.corner(f, 0)).cross(mesh.corner(f, 2) - mesh.corner(f, 0)).norm();
-  }
+  for (std::size_t v = 0; v < region.size(); ++v)
+    sum += region[v] ? areas[static_cast<Eigen::Index>(v)] : 0.0;
   return sum;
 }
 

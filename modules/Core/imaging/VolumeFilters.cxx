@@ -14,22 +14,37 @@ namespace {
 
 constexpr float kFar = 1e20f;
 
-// Calls body(first voxel, stride, length, line buffer) for every line of the volume along an axis.
+// Lines handled together: neighbours in memory, so that reading across the stride fills whole cache lines.
+constexpr std::size_t kTile = 16;
+
+// Replaces every line of the volume along an axis by body(line, length), slices in parallel.
 template <class Body>
-void forEachLine(const std::array<int, 3>& n, int axis, const Execution& execution, const Body& body) {
-  const std::array<std::size_t, 3> size{static_cast<std::size_t>(n[0]), static_cast<std::size_t>(n[1]),
-                                        static_cast<std::size_t>(n[2])};
+void transformLines(ScalarVolume& volume, int axis, const Execution& execution, const Body& body) {
+  const std::array<std::size_t, 3> size{static_cast<std::size_t>(volume.dimensions[0]),
+                                        static_cast<std::size_t>(volume.dimensions[1]),
+                                        static_cast<std::size_t>(volume.dimensions[2])};
   const std::array<std::size_t, 3> stride{1, size[0], size[0] * size[1]};
   const std::size_t a = static_cast<std::size_t>(axis), u = axis == 0 ? 1 : 0, w = axis == 2 ? 1 : 2;
   execution.throwIfCancelled();
-  parallelFor(
-      size[w], execution,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t q = begin; q < end; ++q) {
-          for (std::size_t p = 0; p < size[u]; ++p) body(p * stride[u] + q * stride[w], stride[a], size[a]);
+  const auto slices = [&](std::size_t begin, std::size_t end) {
+    std::vector<float> lines(kTile * size[a]);
+    for (std::size_t q = begin; q < end; ++q) {
+      for (std::size_t p = 0; p < size[u]; p += kTile) {
+        const std::size_t count = std::min(kTile, size[u] - p);
+        float* first = &volume.values[p * stride[u] + q * stride[w]];
+        for (std::size_t x = 0; x < size[a]; ++x) {
+          for (std::size_t t = 0; t < count; ++t)
+            lines[t * size[a] + x] = first[x * stride[a] + t * stride[u]];
         }
-      },
-      8);
+        for (std::size_t t = 0; t < count; ++t) body(&lines[t * size[a]], size[a]);
+        for (std::size_t x = 0; x < size[a]; ++x) {
+          for (std::size_t t = 0; t < count; ++t)
+            first[x * stride[a] + t * stride[u]] = lines[t * size[a] + x];
+        }
+      }
+    }
+  };
+  parallelFor(size[w], execution, slices, 8);
 }
 
 // One line of the squared distance transform: lower envelope of the parabolas f[q] + s² (x − q)².
@@ -37,13 +52,13 @@ struct Envelope {
   std::vector<float> f, bound;
   std::vector<int> place;
 
-  void transform(float* values, std::size_t stride, std::size_t length, float spacing) {
+  void transform(float* values, std::size_t length, float spacing) {
     const int n = static_cast<int>(length);
     f.resize(length);
     place.resize(length);
     bound.resize(length + 1);
     bool any = false;
-    for (std::size_t q = 0; q < length; ++q) any = (f[q] = values[q * stride]) < kFar || any;
+    for (std::size_t q = 0; q < length; ++q) any = (f[q] = values[q]) < kFar || any;
     if (!any) return;
     const float s2 = spacing * spacing;
     int top = -1;
@@ -67,7 +82,7 @@ struct Envelope {
     for (int q = 0, at = 0; q < n; ++q) {
       while (bound[static_cast<std::size_t>(at) + 1] < static_cast<float>(q)) ++at;
       const auto d = static_cast<float>(q - place[static_cast<std::size_t>(at)]);
-      values[static_cast<std::size_t>(q) * stride] =
+      values[static_cast<std::size_t>(q)] =
           f[static_cast<std::size_t>(place[static_cast<std::size_t>(at)])] + s2 * d * d;
     }
   }
@@ -107,11 +122,10 @@ ScalarVolume distanceTo(const MaskVolume& mask, const Execution& execution) {
   for (std::size_t v = 0; v < out.size(); ++v) out.values[v] = mask.values[v] ? 0.0f : kFar;
   const Eigen::Vector3d spacing = voxelSpacing(mask.voxelToWorld);
   for (int axis = 0; axis < 3; ++axis) {
-    forEachLine(out.dimensions, axis, execution,
-                [&](std::size_t first, std::size_t stride, std::size_t length) {
-                  thread_local Envelope envelope;
-                  envelope.transform(&out.values[first], stride, length, static_cast<float>(spacing[axis]));
-                });
+    transformLines(out, axis, execution, [&](float* line, std::size_t length) {
+      thread_local Envelope envelope;
+      envelope.transform(line, length, static_cast<float>(spacing[axis]));
+    });
   }
   for (float& d : out.values) d = d >= kFar ? std::numeric_limits<float>::infinity() : std::sqrt(d);
   return out;
@@ -128,21 +142,19 @@ ScalarVolume gaussianBlur(ScalarVolume volume, double sigma, const Execution& ex
     for (int r = -radius; r <= radius; ++r) sum += std::exp(-0.5 * r * r / (s * s));
     for (int r = -radius; r <= radius; ++r)
       kernel.push_back(static_cast<float>(std::exp(-0.5 * r * r / (s * s)) / sum));
-    forEachLine(volume.dimensions, axis, execution,
-                [&](std::size_t first, std::size_t stride, std::size_t length) {
-                  thread_local std::vector<float> line;
-                  const int n = static_cast<int>(length);
-                  line.resize(length + 2 * static_cast<std::size_t>(radius));
-                  for (int q = -radius; q < n + radius; ++q) {
-                    line[static_cast<std::size_t>(q + radius)] =
-                        volume.values[first + static_cast<std::size_t>(std::clamp(q, 0, n - 1)) * stride];
-                  }
-                  for (std::size_t q = 0; q < length; ++q) {
-                    float value = 0;
-                    for (std::size_t r = 0; r < kernel.size(); ++r) value += kernel[r] * line[q + r];
-                    volume.values[first + q * stride] = value;
-                  }
-                });
+    transformLines(volume, axis, execution, [&](float* values, std::size_t length) {
+      thread_local std::vector<float> line;
+      const int n = static_cast<int>(length);
+      line.resize(length + 2 * static_cast<std::size_t>(radius));
+      for (int q = -radius; q < n + radius; ++q) {
+        line[static_cast<std::size_t>(q + radius)] = values[std::clamp(q, 0, n - 1)];
+      }
+      for (std::size_t q = 0; q < length; ++q) {
+        float value = 0;
+        for (std::size_t r = 0; r < kernel.size(); ++r) value += kernel[r] * line[q + r];
+        values[q] = value;
+      }
+    });
   }
   return volume;
 }

@@ -161,72 +161,95 @@ ScalarVolume contrastOf(const Cropped& in, const IntensityClasses& classes, cons
   return out;
 }
 
+void fill(WhiteMatter& wm, std::size_t voxel) {
+  wm.tissue.values[voxel] = wm.filled.values[voxel] = 1;
+}
+
+// Roles of a voxel; none without labels.
+std::uint8_t roleAt(const MaskVolume& roles, std::size_t voxel) {
+  return roles.size() == 0 ? std::uint8_t{0} : roles.values[voxel];
+}
+
+bool isCortex(std::uint8_t role) {
+  return role != 0 && !(role & (kFill | kRemove));
+}
+
 // Labels to fill, grown by 1 mm so that they meet the white matter around them; and the prior where labels
 // are silent.
-void fillDeepStructures(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention,
-                        const Execution& execution) {
-  const bool usePrior = roles.size() == 0 || !convention.namesBrainstemAndVentricles;
+void fillDeepStructures(WhiteMatter& wm, const MaskVolume& roles, bool usePrior, const Execution& execution) {
   ScalarVolume toFill;
   if (roles.size() != 0) toFill = distanceTo(select(roles, kFill), execution);
   forEachVoxel(wm.tissue.dimensions, execution, [&](std::size_t v, int i, int j, int k) {
-    if (wm.tissue.values[v]) return;
-    if (roles.size() != 0 && roles.values[v] & kRemove) return;
+    const std::uint8_t role = roleAt(roles, v);
+    if (wm.tissue.values[v] || role & kRemove) return;
     const bool named = toFill.size() != 0 && toFill.values[v] <= 1.0f;
-    const bool cortex = roles.size() != 0 && roles.values[v] != 0 && !(roles.values[v] & kFill);
-    if (named || (usePrior && !cortex && inDeepFill(wm.frame(wm.tissue.world(i, j, k))))) {
-      wm.tissue.values[v] = wm.filled.values[v] = 1;
-    }
+    if (named || (usePrior && !isCortex(role) && inDeepFill(wm.frame(wm.tissue.world(i, j, k))))) fill(wm, v);
   });
 }
 
-// Fluid spaces that the outside reaches only through gaps narrower than 2 mm, and that lie mostly against
+// The claustrum: gaps up to 3 mm between the capsules around the lentiform nucleus.
+void fillClaustrum(WhiteMatter& wm, const Execution& execution) {
+  const MaskVolume closed = closeMask(wm.tissue, 1.5, 1.5, execution);
+  forEachVoxel(wm.tissue.dimensions, execution, [&](std::size_t v, int i, int j, int k) {
+    if (wm.tissue.values[v] || !closed.values[v]) return;
+    if (inLateralFill(wm.frame(wm.tissue.world(i, j, k)))) fill(wm, v);
+  });
+}
+
+// The 6-connected parts of `space` of at least `least` voxels whose border lies, to a given share, next to
 // white matter.
-void fillVentricles(WhiteMatter& wm, const MaskVolume& brain, const ScalarVolume& t1,
-                    const Execution& execution) {
-  MaskVolume solid(brain.dimensions, brain.voxelToWorld);
+MaskVolume partsAgainstWhite(MaskVolume space, const ScalarVolume& fromWhite, double share,
+                             std::size_t least) {
+  const auto& n = space.dimensions;
+  const std::array<std::ptrdiff_t, 3> step{1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1]};
+  std::vector<std::size_t> part;
+  for (std::size_t seed = 0; seed < space.size(); ++seed) {
+    if (space.values[seed] != 1) continue;
+    std::size_t border = 0, white = 0;
+    part.assign(1, seed);
+    space.values[seed] = 2;
+    for (std::size_t at = 0; at < part.size(); ++at) {
+      for (const std::ptrdiff_t s : {step[0], -step[0], step[1], -step[1], step[2], -step[2]}) {
+        const std::size_t u = part[at] + static_cast<std::size_t>(s);
+        if (space.values[u] == 0) {
+          ++border;
+          white += fromWhite.values[u] <= 1.0f;
+        } else if (space.values[u] == 1) {
+          space.values[u] = 2;
+          part.push_back(u);
+        }
+      }
+    }
+    if (part.size() >= least && static_cast<double>(white) >= share * static_cast<double>(border)) continue;
+    for (const std::size_t v : part) space.values[v] = 3;
+  }
+  for (std::uint8_t& s : space.values) s = s == 2;
+  return space;
+}
+
+// Fluid spaces that the outside reaches only through gaps narrower than 2 mm, and that lie mostly against
+// white matter; with the rim of mixed voxels around them.
+void fillVentricles(WhiteMatter& wm, const Cropped& in, const Execution& execution) {
+  MaskVolume solid = wm.tissue;
   for (std::size_t v = 0; v < solid.size(); ++v) {
-    solid.values[v] = wm.tissue.values[v] || (brain.values[v] && t1.values[v] > wm.classes.fluid);
+    if (in.brain.values[v] && in.t1.values[v] > wm.classes.fluid) solid.values[v] = 1;
   }
   const ScalarVolume room = distanceTo(solid, execution);
-  MaskVolume closed(brain.dimensions, brain.voxelToWorld);
+  MaskVolume closed = solid;
   for (std::size_t v = 0; v < closed.size(); ++v) closed.values[v] = room.values[v] <= 1.0f;
   MaskVolume core = closed;
   fillCavities(core);
   for (std::size_t v = 0; v < core.size(); ++v) core.values[v] = core.values[v] && !closed.values[v];
   const ScalarVolume fromCore = distanceTo(core, execution);
-  const ScalarVolume fromWhite = distanceTo(wm.tissue, execution);
-  // Spread from the cores into the fluid around them; keep the spaces that touch white matter along a quarter
-  // of their border.
-  MaskVolume space(brain.dimensions, brain.voxelToWorld);
-  for (std::size_t v = 0; v < space.size(); ++v)
-    space.values[v] = !solid.values[v] && fromCore.values[v] <= 1.6f;
-  MaskVolume reached = space;
-  std::vector<std::size_t> front, component;
-  const auto& n = space.dimensions;
-  const std::array<std::ptrdiff_t, 3> step{1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1]};
-  for (std::size_t seed = 0; seed < space.size(); ++seed) {
-    if (reached.values[seed] != 1) continue;
-    std::size_t border = 0, white = 0;
-    component.assign(1, seed);
-    front.assign(1, seed);
-    reached.values[seed] = 2;
-    while (!front.empty()) {
-      const std::size_t v = front.back();
-      front.pop_back();
-      for (const std::ptrdiff_t s : {step[0], -step[0], step[1], -step[1], step[2], -step[2]}) {
-        const std::size_t u = v + static_cast<std::size_t>(s);
-        if (!space.values[u]) {
-          ++border;
-          white += fromWhite.values[u] <= 1.0f;
-        } else if (reached.values[u] == 1) {
-          reached.values[u] = 2;
-          front.push_back(u);
-          component.push_back(u);
-        }
-      }
-    }
-    if (4 * white < border) continue;
-    for (const std::size_t v : component) wm.tissue.values[v] = wm.filled.values[v] = 1;
+  for (std::size_t v = 0; v < solid.size(); ++v)
+    solid.values[v] = !solid.values[v] && fromCore.values[v] <= 1.6f;
+  const auto least = static_cast<std::size_t>(40.0 / in.t1.voxelVolume());
+  const MaskVolume ventricles =
+      partsAgainstWhite(std::move(solid), distanceTo(wm.tissue, execution), 0.35, least);
+  const ScalarVolume fromVentricles = distanceTo(ventricles, execution);
+  const double rim = 1.0 + 0.75 * voxelSpacing(in.t1.voxelToWorld).mean();
+  for (std::size_t v = 0; v < wm.tissue.size(); ++v) {
+    if (!wm.tissue.values[v] && fromVentricles.values[v] <= rim) fill(wm, v);
   }
 }
 
@@ -244,9 +267,7 @@ VolumeOf<std::int16_t> depthPriority(const MaskVolume& mask, const Execution& ex
 }
 
 // Marks brainstem and cerebellum: kHindbrain in tissue; the rest stays 1.
-void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, const LabelConvention& convention,
-                       const Execution& execution) {
-  const bool usePrior = roles.size() == 0 || !convention.namesBrainstemAndVentricles;
+void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, bool usePrior, const Execution& execution) {
   ScalarVolume toRemove, toCerebrum;
   if (roles.size() != 0) {
     toRemove = distanceTo(select(roles, kRemove), execution);
@@ -256,13 +277,12 @@ void separateHindbrain(WhiteMatter& wm, const MaskVolume& roles, const LabelConv
   forEachVoxel(markers.dimensions, execution, [&](std::size_t v, int i, int j, int k) {
     if (!wm.tissue.values[v]) return;
     const Eigen::Vector3d p = wm.frame(markers.world(i, j, k));
-    bool hind = false, cerebrum = false;
+    bool hind = usePrior && !isCortex(roleAt(roles, v)) && inHindbrainCore(p), cerebrum = false;
     if (roles.size() != 0) {
-      hind = toRemove.values[v] <= 2.0f && toRemove.values[v] < toCerebrum.values[v];
-      cerebrum = toCerebrum.values[v] <= 2.0f && !hind;
+      hind = hind || (toRemove.values[v] <= 2.0f && toRemove.values[v] < toCerebrum.values[v]);
+      cerebrum = toCerebrum.values[v] <= 2.0f;
     }
-    if (usePrior && !cerebrum) hind = hind || inHindbrainCore(p);
-    if (usePrior && !hind) cerebrum = cerebrum || inCerebrumCore(p);
+    cerebrum = cerebrum || (usePrior && inCerebrumCore(p));
     markers.values[v] = hind ? 2 : cerebrum ? 1 : 0;
   });
   markers = floodFromMarkers(std::move(markers), depthPriority(wm.tissue, execution), execution);
@@ -360,10 +380,13 @@ WhiteMatter segmentWhiteMatter(const ScalarVolume& t1, const LabelVolume* labels
   wm.filled = wm.tissue;
   for (std::size_t v = 0; v < wm.tissue.size(); ++v) wm.tissue.values[v] = wm.contrast.values[v] > 0;
   execution.report(0.35, "deep structures");
-  fillDeepStructures(wm, in.roles, options.labels, execution);
-  fillVentricles(wm, in.brain, in.t1, execution);
-  execution.report(0.6, "hindbrain");
-  separateHindbrain(wm, in.roles, options.labels, execution);
+  const bool usePrior = in.roles.size() == 0 || !options.labels.namesBrainstemAndVentricles;
+  fillDeepStructures(wm, in.roles, usePrior, execution);
+  if (usePrior) fillClaustrum(wm, execution);
+  execution.report(0.5, "ventricles");
+  fillVentricles(wm, in, execution);
+  execution.report(0.65, "hindbrain");
+  separateHindbrain(wm, in.roles, usePrior, execution);
   execution.report(0.8, "hemispheres");
   splitHemispheres(wm, options.midlineBand, execution);
   cleanHemispheres(wm);
