@@ -38,8 +38,26 @@ class StopWatch {
 // The hemisphere alone, on its bounding box with a margin of 4 voxels.
 struct Hemisphere {
   MaskVolume white, filled, foreign;  // foreign: hindbrain or the other hemisphere
+  MaskVolume wall;                    // foreign, or filled near the midline
   ScalarVolume contrast;
 };
+
+// Fillings further than this from the midline (the putamen beneath the insula, the temporal horn) lie under
+// cortex. Frame units.
+constexpr double kWallHalfWidth = 24;
+
+void markWall(Hemisphere& h, const BrainFrame& frame) {
+  h.wall = h.foreign;
+  std::size_t v = 0;
+  for (int k = 0; k < h.wall.dimensions[2]; ++k) {
+    for (int j = 0; j < h.wall.dimensions[1]; ++j) {
+      for (int i = 0; i < h.wall.dimensions[0]; ++i, ++v) {
+        if (h.filled.values[v] && std::abs(frame(h.wall.world(i, j, k))[0]) < kWallHalfWidth)
+          h.wall.values[v] = 1;
+      }
+    }
+  }
+}
 
 Hemisphere cutOut(const WhiteMatter& wm, std::uint8_t side) {
   std::array<int, 3> lower = wm.tissue.dimensions, upper{0, 0, 0};
@@ -65,6 +83,7 @@ Hemisphere cutOut(const WhiteMatter& wm, std::uint8_t side) {
     h.white.values[v] = h.white.values[v] == side;
     h.filled.values[v] = h.filled.values[v] && h.white.values[v];
   }
+  markWall(h, wm.frame);
   return h;
 }
 
@@ -110,6 +129,9 @@ ScalarVolume surfaceField(const Hemisphere& h, const MaskVolume& grown, const Ex
   return field;
 }
 
+// Smoothing after decimation, which evens out the triangles.
+constexpr int kRounds = 3;
+
 HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const CorticalSurfaceOptions& options,
                               StopWatch& watch, const Execution& execution) {
   const std::string name = side == kLeft ? "left " : "right ";
@@ -130,10 +152,13 @@ HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const Co
   SmoothedSurface smoothed = smoothSurface(mesh, options.smoothing, execution.part(0.45, 0.6));
   out.turnedFaces = smoothed.turnedFaces;
   watch.lap(name + "smoothing");
-  out.mesh = options.targetFaces > 0 ? decimate(smoothed.mesh, options.targetFaces, execution.part(0.6, 0.95))
-                                     : std::move(smoothed.mesh);
+  out.mesh = std::move(smoothed.mesh);
+  if (options.targetFaces > 0 && out.mesh.faceCount() > options.targetFaces) {
+    out.mesh = decimate(out.mesh, options.targetFaces, execution.part(0.6, 0.95));
+    out.mesh = smoothSurface(out.mesh, {kRounds, options.smoothing.passBand, true}, execution).mesh;
+  }
   watch.lap(name + "decimation");
-  out.medialWall = findMedialWall(out.mesh, h.filled, h.foreign, options.medialWallReach, execution);
+  out.medialWall = findMedialWall(out.mesh, h.wall, options.medialWallReach, execution);
   watch.lap(name + "medial wall");
   out.eulerCharacteristic = SurfaceTopology(out.mesh.faces(), out.mesh.vertexCount()).eulerCharacteristic();
   out.area = faceAreas(out.mesh).sum();

@@ -70,18 +70,16 @@ void keepLargest(std::vector<char>& region, char side, const Adjacency& neighbou
 
 }  // namespace
 
-std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& filled,
-                                 const MaskVolume& foreign, double reach, const Execution& execution) {
-  MaskVolume source = filled;
-  for (std::size_t v = 0; v < source.size(); ++v) source.values[v] = filled.values[v] || foreign.values[v];
-  const ScalarVolume distance = distanceTo(source, execution);
-  const Eigen::Matrix4d toVoxel = source.worldToVoxel();
+std::vector<char> findMedialWall(const TriangleMesh& mesh, const MaskVolume& sources, double reach,
+                                 const Execution& execution) {
+  const ScalarVolume distance = distanceTo(sources, execution);
+  const Eigen::Matrix4d toVoxel = sources.worldToVoxel();
   std::vector<char> region(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (std::size_t v = 0; v < region.size(); ++v) {
     const Eigen::Vector3d p = (toVoxel * mesh.point(static_cast<int>(v)).homogeneous()).head<3>();
     const int i = static_cast<int>(std::lround(p[0])), j = static_cast<int>(std::lround(p[1])),
               k = static_cast<int>(std::lround(p[2]));
-    region[v] = source.contains(i, j, k) && distance.at(i, j, k) <= reach;
+    region[v] = sources.contains(i, j, k) && distance.at(i, j, k) <= reach;
   }
   const Adjacency neighbours = adjacencyOf(mesh);
   const Eigen::VectorXd areas = vertexStars(faceAreas(mesh), mesh.faces(), mesh.vertexCount());

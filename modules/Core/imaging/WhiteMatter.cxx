@@ -192,7 +192,7 @@ void fillClaustrum(WhiteMatter& wm, const Execution& execution) {
   const MaskVolume closed = closeMask(wm.tissue, 1.5, 1.5, execution);
   forEachVoxel(wm.tissue.dimensions, execution, [&](std::size_t v, int i, int j, int k) {
     if (wm.tissue.values[v] || !closed.values[v]) return;
-    if (inLateralFill(wm.frame(wm.tissue.world(i, j, k)))) fill(wm, v);
+    if (inLateralFill(wm.frame(wm.tissue.world(i, j, k)))) wm.tissue.values[v] = 1;
   });
 }
 
