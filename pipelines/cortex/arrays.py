@@ -111,3 +111,10 @@ def add_cell_array(surface, name, values):
     array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
     array.SetName(name)
     surface.GetCellData().AddArray(array)
+
+
+def mean_gradient(uv, values):
+    """Unit vector along which `values` grow in the least-squares plane over the map."""
+    centred = uv - uv.mean(axis=0)
+    slope = np.linalg.lstsq(centred, values - values.mean(), rcond=None)[0]
+    return slope / np.linalg.norm(slope)

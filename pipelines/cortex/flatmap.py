@@ -131,19 +131,12 @@ def compass(map_, scale):
     props = []
     centre, length = np.array([-0.86, 0.86]) * scale, 0.11 * scale
     for column, (ahead, back) in ((2, "SI"), (1, "AP")):
-        direction = mean_gradient(uv, position[:, column])
+        direction = arrays.mean_gradient(uv, position[:, column])
         tips = centre + np.outer([1, -1], direction * length)
         props.append(scenes.line_actor(arrays.segments(np.column_stack([tips, [0.02, 0.02]])), 2.2))
         for tip, letter, sign in zip(tips, (ahead, back), (1, -1)):
             props.append(_words(letter, (*(tip + sign * direction * 0.035 * scale), 0.02), 20, bold=sign > 0))
     return props
-
-
-def mean_gradient(uv, values):
-    """Unit vector along which `values` grow in the least-squares plane over the map."""
-    centred = uv - uv.mean(axis=0)
-    slope = np.linalg.lstsq(centred, values - values.mean(), rcond=None)[0]
-    return slope / np.linalg.norm(slope)
 
 
 def scale_bar(millimetres, scale):

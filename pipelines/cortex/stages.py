@@ -1,0 +1,107 @@
+"""Running VTK filters one after the other: progress on stderr, seconds per stage, failures as one sentence."""
+import re
+import resource
+import sys
+import time
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+
+NOT_CONVERGED = 4
+
+
+class StageError(Exception):
+    """A filter failed: what was required, what was found, where, what to do; and the exit code for it."""
+
+    def __init__(self, sentence, code):
+        super().__init__(sentence)
+        self.code = code
+
+
+class Stages:
+    """The stages of a job. `seconds` collects the time of each by name, `warnings` what filters warned of."""
+
+    def __init__(self, total):
+        self.total, self.number = total, 0
+        self.seconds, self.warnings = {}, []
+        self.begin = time.perf_counter()
+        self.converged = True
+
+    def run(self, name, filter_, port=0):
+        """Updates a filter and returns the output of `port`."""
+        messages = _Messages(filter_)
+        with self.stage(name) as stage:
+            tag = filter_.AddObserver("ProgressEvent", lambda *_: stage.progress(filter_.GetProgress()))
+            filter_.Update()
+            filter_.RemoveObserver(tag)
+        messages.close()
+        self.warnings += [f"{name}: {text}" for text in messages.warnings]
+        kind = filter_.GetErrorKind() if hasattr(filter_, "GetErrorKind") else int(bool(messages.errors))
+        if kind == NOT_CONVERGED:
+            self.converged = False
+        elif kind or messages.errors:
+            raise StageError(" ".join(messages.errors) or f"The stage {name} failed.", kind or 1)
+        return filter_.GetOutputDataObject(port)
+
+    def stage(self, name):
+        """A context that is timed and shown as a stage."""
+        self.number += 1
+        return _Stage(self, name)
+
+    def summary(self):
+        """Seconds and peak memory of the whole job, in words."""
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+        return f"{time.perf_counter() - self.begin:.1f} s, peak memory {peak:.2f} GiB"
+
+
+class _Stage:
+    def __init__(self, stages, name):
+        self.stages, self.name, self.quarter = stages, name, 0
+        self.label = f"[{stages.number:2d}/{stages.total}] {name}"
+
+    def __enter__(self):
+        self.begin = time.perf_counter()
+        print(self.label, end=" ", file=sys.stderr, flush=True)
+        return self
+
+    def progress(self, fraction):
+        """Shows how far the stage is: in place on a terminal, in quarters elsewhere."""
+        if sys.stderr.isatty():
+            print(f"\r{self.label} {100 * fraction:3.0f} %", end=" ", file=sys.stderr, flush=True)
+        elif fraction < 1 and int(4 * fraction) > self.quarter:
+            self.quarter = int(4 * fraction)
+            print(f"{25 * self.quarter} %", end=" ", file=sys.stderr, flush=True)
+
+    def __exit__(self, kind, *_):
+        seconds = time.perf_counter() - self.begin
+        self.stages.seconds[self.name] = round(seconds, 3)
+        start = f"\r{self.label} 100 % " if sys.stderr.isatty() and kind is None else ""
+        print(f"{start}{seconds:.1f} s" if kind is None else "failed", file=sys.stderr, flush=True)
+
+
+class _Messages:
+    """What a filter and its executive say while they run, instead of VTK's own printing."""
+
+    def __init__(self, filter_):
+        self.errors, self.warnings = [], []
+        self.tags = [(speaker, speaker.AddObserver(event, self._listener(kept)))
+                     for speaker in (filter_, filter_.GetExecutive())
+                     for event, kept in (("ErrorEvent", self.errors if speaker is filter_ else []),
+                                         ("WarningEvent", self.warnings))]
+
+    @staticmethod
+    def _listener(kept):
+        @calldata_type(VTK_STRING)
+        def listen(_speaker, _event, text):
+            kept.append(sentence(text))
+        return listen
+
+    def close(self):
+        for speaker, tag in self.tags:
+            speaker.RemoveObserver(tag)
+
+
+def sentence(text):
+    """What VTK's message says, without source file, line and address."""
+    words = re.sub(r"^\s*(ERROR|Warning|Generic Warning): In [^\n]*\n", "", text)
+    return re.sub(r"^\w+ \(0x[0-9a-f]+\): ", "", words).strip()
