@@ -17,47 +17,153 @@ import authalic
 import options as command_line
 import outputs
 import steps
-from pictures import AUTHALIC, INITIAL
+from hemisphere import AUTHALIC, INITIAL, SIDES, Hemisphere
 from render import Display
 from stages import StageError, Stages
 
-STAGES_PER_HEMISPHERE = 13
-FIELDS = [  # point array, unit, what it is
-    ("T1", "", "T1 signal at the vertex"),
-    ("T1Cortex", "", "T1 signal, mean of 0 to 2.5 mm outward: the cortex"),
-    ("T1Normal", "", "T1 signal, mean of 0 to 10 mm along the inward normal"),
-    ("SulcalDepth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive"),
-]
+STAGES_BEFORE, STAGES_EACH = 3, 14
 
 
-def volume(path):
+def read_volume(path):
     reader = authalic.vtkVolumeFileReader()
     reader.SetFileName(str(path))
     return reader
 
 
 def extract(t1, labels):
-    """White surface of both hemispheres; output port 0 is the left, 1 the right."""
-    surface = authalic.vtkCorticalSurface()
-    surface.SetInputConnection(0, t1.GetOutputPort())
+    """The white surfaces: output port 0 is the left hemisphere, 1 the right."""
+    surfaces = authalic.vtkCorticalSurface()
+    surfaces.SetInputConnection(0, t1.GetOutputPort())
     if labels is not None:
-        surface.SetInputConnection(1, labels.GetOutputPort())
-    return surface
+        surfaces.SetInputConnection(1, labels.GetOutputPort())
+    return surfaces
 
 
-def sample(surface, image, name):
-    """A volume read at every vertex; the caller says where."""
+def sample(surface, volume, name):
+    """A volume read at every vertex of a surface."""
     sampler = authalic.vtkSampleVolumeOnSurface()
-    sampler.SetInputConnection(0, surface.GetOutputPort())
-    sampler.SetInputConnection(1, image.GetOutputPort())
+    sampler.SetInputConnection(0, surface)
+    sampler.SetInputConnection(1, volume.GetOutputPort())
     sampler.SetArrayName(name)
     return sampler
 
 
-def along_normal(sampler, start, stop, step):
-    """Mean along the normal, mm; inward is positive."""
+def sample_along_normal(surface, volume, name, depths):
+    """The mean along the normal; depths = (from, to, step) in mm, inward positive."""
+    sampler = sample(surface, volume, name)
     sampler.SetModeToAlongNormal()
-    sampler.SetDepthFrom(start)
-    sampler.SetDepthTo(stop)
-    sampler.SetDepthStep(step)
+    sampler.SetDepthFrom(depths[0])
+    sampler.SetDepthTo(depths[1])
+    sampler.SetDepthStep(depths[2])
     return sampler
+
+
+def grid(map_, options):
+    """Squares on the domain, pulled back to the cortex."""
+    elements = authalic.vtkElementGrid()
+    elements.SetInputConnection(map_.GetOutputPort())
+    if options.elements:
+        elements.SetNumberOfElements(options.elements)
+    if options.element_area:
+        elements.SetElementArea(options.element_area)
+    return elements
+
+
+def statistics(elements, side, fields, names):
+    """Tables per element (port 0) and per region (port 1)."""
+    tables = authalic.vtkElementStatistics()
+    tables.SetInputConnection(elements.GetOutputPort())
+    tables.SetHemisphere(side[0].upper())
+    for name, unit, meaning in fields:
+        tables.AddFieldArray(name, unit, meaning)
+    if names:
+        tables.SetLabelArrayName("Label")
+        for label, name in names.items():
+            tables.AddRegion(label, name)
+    return tables
+
+
+def fields_of(surface, t1):
+    """Reads the T1 at, above and below the surface: the last filter, and (array, unit, meaning) of each field."""
+    fields = [("SulcalDepth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
+    if t1 is None:
+        return surface, fields
+    at_vertex = sample(surface.GetOutputPort(), t1, "T1")
+    cortex = sample_along_normal(at_vertex.GetOutputPort(), t1, "T1Cortex", (-2.5, 0, 0.5))
+    inward = sample_along_normal(cortex.GetOutputPort(), t1, "T1Normal", (0, 10, 1))
+    return inward, fields + [("T1", "", "T1 signal at the vertex"),
+                             ("T1Cortex", "", "T1 signal, mean of 0 to 2.5 mm outward: the cortex"),
+                             ("T1Normal", "", "T1 signal, mean of 0 to 10 mm along the inward normal")]
+
+
+def process(side, white, t1, names, options, stages):
+    """The pipeline of one hemisphere; `white` is an output port with the arrays MedialWall and Label."""
+    def run(name, filter_):
+        return stages.run(f"{side}: {name}", filter_)
+
+    topology = authalic.vtkSurfaceTopologyReport()
+    topology.SetInputConnection(white)
+    depth = steps.SulcalDepth()
+    depth.SetInputConnection(white)
+    sampled, fields = fields_of(depth, t1)
+    cut = authalic.vtkCutToDisk()
+    cut.SetInputConnection(sampled.GetOutputPort())
+    tutte = authalic.vtkBarycentricMap()
+    tutte.SetInputConnection(cut.GetOutputPort())
+    flow = authalic.vtkDiscreteLieFlow()
+    flow.SetInputConnection(0, cut.GetOutputPort())
+    flow.SetInputConnection(1, tutte.GetOutputPort())
+
+    hemisphere = Hemisphere(side, topology=run("topology", topology), fields=fields)
+    run("sulcal depth", depth)
+    hemisphere.white = run("sampling the volume", sampled)
+    hemisphere.regions = hemisphere.names_present(names)
+    hemisphere.cut = run("cut to a disk", cut)
+    for name, method in ((INITIAL, tutte), (AUTHALIC, flow)):
+        run(name, method)
+        upright = steps.UprightMap()
+        upright.SetInputConnection(method.GetOutputPort())
+        elements = grid(upright, options)
+        hemisphere.keep(name, run(f"elements of the {name}", elements), elements)
+        tables = statistics(elements, side, fields, hemisphere.regions)
+        run(f"statistics of the {name}", tables)
+        hemisphere.tables[name] = tables
+    return hemisphere
+
+
+def surfaces(options, stages):
+    """{side: output port of the white surface}, and the reader of the T1 (or None)."""
+    t1 = options.t1 and read_volume(options.t1)
+    if options.surface:
+        return outputs.given_surface(options, stages), t1
+    labels = options.labels and read_volume(options.labels)
+    stages.run("reading the T1", t1)
+    if labels:
+        stages.run("reading the labels", labels)
+    extraction = extract(t1, labels)
+    stages.run("white surfaces of both hemispheres", extraction)
+    return {side: extraction.GetOutputPort(port) for port, side in enumerate(SIDES)}, t1
+
+
+def main(arguments=None):
+    options = command_line.parse(arguments)
+    stages = Stages(options.threads)
+    try:
+        ports, t1 = surfaces(options, stages)
+        names = command_line.label_names(options.label_names)
+        results = [process(side, port, t1, names, options, stages) for side, port in ports.items()]
+        with Display(not options.no_pictures) as display:
+            page = outputs.write(results, options, stages, display.available)
+    except StageError as failure:
+        print(f"cortex.py: {failure}", file=sys.stderr)
+        return failure.code
+    except OSError as failure:
+        print(f"cortex.py: {failure.strerror}: {failure.filename}.", file=sys.stderr)
+        return 5
+    print(f"Done in {stages.summary()}.", file=sys.stderr)
+    print(page)
+    return 0 if stages.converged else 4
+
+
+if __name__ == "__main__":
+    sys.exit(main())
