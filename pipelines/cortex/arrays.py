@@ -118,3 +118,13 @@ def mean_gradient(uv, values):
     centred = uv - uv.mean(axis=0)
     slope = np.linalg.lstsq(centred, values - values.mean(), rcond=None)[0]
     return slope / np.linalg.norm(slope)
+
+
+def millimetres_per_unit(map_):
+    """Length of a map unit if areas are preserved: the root of native over image area."""
+    return (face_areas(native(map_)).sum() / face_areas(map_).sum())**0.5
+
+
+def corners(surface):
+    """Vertex indices of quadrilaterals, m×4."""
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 4)

@@ -31,6 +31,13 @@ def domain_colours(uv, shade):
     return to_bytes(lab_to_rgb(lab) * shade[:, None])
 
 
+def distinct(count):
+    """Colours for labels: hues a golden angle apart, lightness in three steps."""
+    k = np.arange(count)
+    hue = k * np.pi * (3 - 5**0.5)
+    return to_bytes(lab_to_rgb(np.column_stack([55 + 12 * (k % 3), 45 * np.cos(hue), 45 * np.sin(hue)])))
+
+
 def sulcal_grey(depth):
     """Grey level per vertex: light gyri (depth below 0), dark sulci; between the 5th and the 95th percentile."""
     low, high = np.percentile(depth, [5, 95])

@@ -14,6 +14,7 @@ import sys
 
 import authalic
 
+import arrays
 import options as command_line
 import outputs
 import steps
@@ -21,7 +22,7 @@ from hemisphere import AUTHALIC, INITIAL, SIDES, Hemisphere
 from render import Display
 from stages import StageError, Stages
 
-STAGES_BEFORE, STAGES_EACH = 3, 14
+STAGES_BEFORE, STAGES_EACH = 3, 12
 
 
 def read_volume(path):
@@ -114,17 +115,18 @@ def process(side, white, t1, names, options, stages):
     flow.SetInputConnection(0, cut.GetOutputPort())
     flow.SetInputConnection(1, tutte.GetOutputPort())
 
-    hemisphere = Hemisphere(side, topology=run("topology", topology), fields=fields)
+    hemisphere = Hemisphere(side, arrays.field_numbers(run("topology", topology)), fields)
     run("sulcal depth", depth)
     hemisphere.white = run("sampling the volume", sampled)
     hemisphere.regions = hemisphere.names_present(names)
-    hemisphere.cut = run("cut to a disk", cut)
+    hemisphere.cut = arrays.field_numbers(run("cut to a disk", cut))
     for name, method in ((INITIAL, tutte), (AUTHALIC, flow)):
         run(name, method)
         upright = steps.UprightMap()
         upright.SetInputConnection(method.GetOutputPort())
         elements = grid(upright, options)
-        hemisphere.keep(name, run(f"elements of the {name}", elements), elements)
+        run(f"elements of the {name}", elements)
+        hemisphere.keep(name, elements)
         tables = statistics(elements, side, fields, hemisphere.regions)
         run(f"statistics of the {name}", tables)
         hemisphere.tables[name] = tables
@@ -147,7 +149,7 @@ def surfaces(options, stages):
 
 def main(arguments=None):
     options = command_line.parse(arguments)
-    stages = Stages(options.threads)
+    stages = Stages(STAGES_BEFORE + STAGES_EACH * 2, options.threads)
     try:
         ports, t1 = surfaces(options, stages)
         names = command_line.label_names(options.label_names)

@@ -151,8 +151,3 @@ def scale_bar(millimetres, scale):
     words = [_words("1 cm", (x + 0.5 * cm, y - 0.7 * cm, 0.02), 15), _words("5 cm", (x + 5 * cm, y - 0.7 * cm, 0.02), 15),
              _words("1 cm²", (x + 2.4 * cm, y + 1.5 * cm, 0.02), 15)]
     return [scenes.line_actor(lines, 2.0), *words]
-
-
-def millimetres_per_unit(map_):
-    """Length of a map unit if areas are preserved: the root of native over image area."""
-    return (arrays.face_areas(arrays.native(map_)).sum() / arrays.face_areas(map_).sum())**0.5

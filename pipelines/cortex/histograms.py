@@ -13,7 +13,7 @@ BEFORE, AFTER = (0.84, 0.37, 0.00), (0.00, 0.35, 0.70)  # Okabe and Ito: told ap
 
 
 def histogram_actor(series, weights, edges, title, unit, of="share of the cortex in %"):
-    """A chart of outlines. `series` = [(name, values, colour)], each value of a face weighted by its share of area."""
+    """A chart of outlines. `series` = [(name, values, colour)], each face weighted by `weights`."""
     chart = vtkChartXY()
     chart.SetTitle(title)
     _style(chart.GetTitleProperties(), 20, bold=True)
@@ -33,7 +33,8 @@ def histogram_actor(series, weights, edges, title, unit, of="share of the cortex
 def _shares(values, weights, edges):
     """Percent of the weight per bin; what lies outside joins the outermost bins."""
     inside = np.clip(values, edges[0], np.nextafter(edges[-1], edges[0]))
-    return 100 * np.histogram(inside, edges, weights=weights)[0] / weights.sum()
+    counts = np.histogram(inside, edges, weights=weights)[0]
+    return 100 * counts / counts.sum()
 
 
 def _outline(chart, name, shares, edges, colour):

@@ -21,14 +21,16 @@ class StageError(Exception):
 class Stages:
     """The stages of a job. `seconds` collects the time of each by name, `warnings` what filters warned of."""
 
-    def __init__(self, total):
-        self.total, self.number = total, 0
+    def __init__(self, total, threads=0):
+        self.total, self.number, self.threads = total, 0, threads
         self.seconds, self.warnings = {}, []
         self.begin = time.perf_counter()
         self.converged = True
 
     def run(self, name, filter_, port=0):
         """Updates a filter and returns the output of `port`."""
+        if hasattr(filter_, "SetThreads"):
+            filter_.SetThreads(self.threads)
         messages = _Messages(filter_)
         with self.stage(name) as stage:
             tag = filter_.AddObserver("ProgressEvent", lambda *_: stage.progress(filter_.GetProgress()))
