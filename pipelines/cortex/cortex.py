@@ -15,6 +15,7 @@ import sys
 import authalic
 
 import arrays
+import given
 import options as command_line
 import outputs
 import steps
@@ -86,15 +87,15 @@ def statistics(elements, side, fields, names):
 
 def fields_of(surface, t1):
     """Reads the T1 at, above and below the surface: the last filter, and (array, unit, meaning) of each field."""
-    fields = [("SulcalDepth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
+    fields = [("sulcal_depth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
     if t1 is None:
         return surface, fields
-    at_vertex = sample(surface.GetOutputPort(), t1, "T1")
-    cortex = sample_along_normal(at_vertex.GetOutputPort(), t1, "T1Cortex", (-2.5, 0, 0.5))
-    inward = sample_along_normal(cortex.GetOutputPort(), t1, "T1Normal", (0, 10, 1))
-    return inward, fields + [("T1", "", "T1 signal at the vertex"),
-                             ("T1Cortex", "", "T1 signal, mean of 0 to 2.5 mm outward: the cortex"),
-                             ("T1Normal", "", "T1 signal, mean of 0 to 10 mm along the inward normal")]
+    at_vertex = sample(surface.GetOutputPort(), t1, "t1")
+    cortex = sample_along_normal(at_vertex.GetOutputPort(), t1, "t1_cortex", (-2.5, 0, 0.5))
+    inward = sample_along_normal(cortex.GetOutputPort(), t1, "t1_inward", (0, 10, 1))
+    return inward, fields + [("t1", "", "T1 signal at the vertex"),
+                             ("t1_cortex", "", "T1 signal, mean of 0 to 2.5 mm outward: the cortex"),
+                             ("t1_inward", "", "T1 signal, mean of 0 to 10 mm along the inward normal")]
 
 
 def process(side, white, t1, names, options, stages):
@@ -107,7 +108,7 @@ def process(side, white, t1, names, options, stages):
     depth = steps.SulcalDepth()
     depth.SetInputConnection(white)
     sampled, fields = fields_of(depth, t1)
-    cut = authalic.vtkCutToDisk()
+    cut = given.cut(sampled, side, options) if options.surface else authalic.vtkCutToDisk()
     cut.SetInputConnection(sampled.GetOutputPort())
     tutte = authalic.vtkBarycentricMap()
     tutte.SetInputConnection(cut.GetOutputPort())
@@ -137,7 +138,7 @@ def surfaces(options, stages):
     """{side: output port of the white surface}, and the reader of the T1 (or None)."""
     t1 = options.t1 and read_volume(options.t1)
     if options.surface:
-        return outputs.given_surface(options, stages), t1
+        return given.surface(options, stages), t1
     labels = options.labels and read_volume(options.labels)
     stages.run("reading the T1", t1)
     if labels:

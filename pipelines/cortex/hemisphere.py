@@ -1,5 +1,4 @@
 """What the job knows about one hemisphere when its pipeline has run."""
-import re
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -66,14 +65,9 @@ class Hemisphere:
     def shown_field(self):
         """The field of the picture: the T1 in the cortex, else the first there is."""
         by_name = {entry[0]: entry for entry in self.fields}
-        return by_name.get("T1Cortex", self.fields[0])
+        return by_name.get("t1_cortex", self.fields[0])
 
     def element_column(self, array, statistic):
         """A column of the element table of the area-preserving map, one number per element."""
         table = self.tables[AUTHALIC].GetOutput(0)
-        return vtk_to_numpy(table.GetColumnByName(f"{snake_case(array)}_{statistic}")).astype(float)
-
-
-def snake_case(name):
-    """As the columns of the tables: T1Cortex is t1_cortex."""
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+        return vtk_to_numpy(table.GetColumnByName(f"{array}_{statistic}")).astype(float)

@@ -21,6 +21,9 @@ def parse(arguments=None):
                         help="names of the labels: one 'number name' per line; default: LABELS without .gz, with .txt")
     parser.add_argument("--surface", type=existing, metavar="FILE",
                         help="start from this white surface of one hemisphere (FreeSurfer, GIFTI, VTP); no segmentation")
+    parser.add_argument("--cortex", type=existing, metavar="FILE",
+                        help="with --surface: its cortex (FreeSurfer .label, .annot, .label.gii); the rest is the medial "
+                             "wall. Default: what lies beyond a plane near the midline is cut off")
     parser.add_argument("--hemisphere", choices=["lh", "rh"],
                         help="of --surface; default: from its file name, else from its side")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/cortex"), metavar="DIR",

@@ -14,7 +14,7 @@ import authalic
 import colours
 import numbers_table
 import report
-from hemisphere import AUTHALIC, INITIAL, SIDES, snake_case
+from hemisphere import AUTHALIC, INITIAL, SIDES
 from stages import StageError
 
 LEAD = ("Each hemisphere's white surface was taken from the T1, opened at the medial wall, mapped to a disk and then moved "
@@ -58,7 +58,7 @@ def write_data(hemisphere, folder):
     write_surface(flat, folder / "flat.surf.gii")
     write_surface(without_seconds(hemisphere.flat), folder / "map.vtp")
     for name, _, _ in hemisphere.fields:
-        write_values(white, name, folder / f"{snake_case(name)}.func.gii")
+        write_values(white, name, folder / f"{name}.func.gii")
     write_labels(hemisphere, white, folder)
     for name, suffix in ((AUTHALIC, ""), (INITIAL, "_initial")):
         tables = hemisphere.tables[name]
@@ -176,7 +176,7 @@ def write_report(hemisphere, options, stages):
         "options": {"elements": options.elements, "element_area_mm2": options.element_area},
         "white": hemisphere.topology,
         "cut": hemisphere.cut,
-        "fields": [{"name": snake_case(name), "unit": unit, "meaning": meaning}
+        "fields": [{"name": name, "unit": unit, "meaning": meaning}
                    for name, unit, meaning in hemisphere.fields],
         "initial": hemisphere.numbers(INITIAL),
         "area_preserving": hemisphere.numbers(AUTHALIC),

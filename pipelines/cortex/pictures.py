@@ -137,4 +137,4 @@ def element_field(hemisphere, path):
 
 def depth(hemisphere):
     """Sulcal depth per vertex of the maps."""
-    return arrays.point_array(hemisphere.flat, "SulcalDepth")
+    return arrays.point_array(hemisphere.flat, "sulcal_depth")

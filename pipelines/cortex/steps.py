@@ -8,7 +8,7 @@ import arrays
 
 
 class SulcalDepth(VTKPythonAlgorithmBase):
-    """Adds the point array SulcalDepth: mm below (positive, sulci) a surface smoothed until its folds are gone."""
+    """Adds the point array sulcal_depth: mm below (positive, sulci) a surface smoothed until its folds are gone."""
 
     def __init__(self):
         super().__init__(inputType="vtkPolyData", outputType="vtkPolyData")
@@ -31,7 +31,7 @@ class SulcalDepth(VTKPythonAlgorithmBase):
         below = np.einsum("ij,ij->i", arrays.points(reference) - arrays.points(surface), outward)
         out = vtkPolyData.GetData(outputs)
         out.ShallowCopy(surface)
-        arrays.add_point_array(out, "SulcalDepth", below)
+        arrays.add_point_array(out, "sulcal_depth", below)
         return 1
 
 
