@@ -85,6 +85,15 @@ def statistics(elements, side, fields, names):
     return tables
 
 
+def with_labels(surface, labels):
+    """The point array Label: the most frequent label of the voxels along the normal, 2 mm outward to 1 mm inward."""
+    label = sample_along_normal(surface.GetOutputPort(), labels, "Label", (-2, 1, 0.5))
+    label.SetReducerToMode()
+    label.SetInterpolationToNearest()
+    label.SkipZeroOn()
+    return label
+
+
 def fields_of(surface, t1):
     """Reads the T1 at, above and below the surface: the last filter, and (array, unit, meaning) of each field."""
     fields = [("sulcal_depth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
@@ -98,20 +107,24 @@ def fields_of(surface, t1):
                              ("t1_inward", "", "T1 signal, mean of 0 to 10 mm along the inward normal")]
 
 
-def process(side, white, t1, names, options, stages):
-    """The pipeline of one hemisphere; `white` is an output port with the arrays MedialWall and Label."""
+def process(side, source, volumes, names, options, stages):
+    """The pipeline of one hemisphere; `source` = (filter, port) of its surface, with the array MedialWall."""
     def run(name, filter_):
         return stages.run(f"{side}: {name}", filter_)
 
+    white = source[0].GetOutputPort(source[1])
     topology = authalic.vtkSurfaceTopologyReport()
     topology.SetInputConnection(white)
     depth = steps.SulcalDepth()
     depth.SetInputConnection(white)
-    sampled, fields = fields_of(depth, t1)
+    sampled, fields = fields_of(depth, volumes["t1"])
+    if volumes["labels"]:
+        sampled = with_labels(sampled, volumes["labels"])
     cut = given.cut(sampled, side, options) if options.surface else authalic.vtkCutToDisk()
     cut.SetInputConnection(sampled.GetOutputPort())
     tutte = authalic.vtkBarycentricMap()
     tutte.SetInputConnection(cut.GetOutputPort())
+    tutte.SetMethodToTutte()
     flow = authalic.vtkDiscreteLieFlow()
     flow.SetInputConnection(0, cut.GetOutputPort())
     flow.SetInputConnection(1, tutte.GetOutputPort())
@@ -134,27 +147,26 @@ def process(side, white, t1, names, options, stages):
     return hemisphere
 
 
-def surfaces(options, stages):
-    """{side: output port of the white surface}, and the reader of the T1 (or None)."""
-    t1 = options.t1 and read_volume(options.t1)
+def surfaces(volumes, options, stages):
+    """{side: (filter, output port) of the white surface}."""
     if options.surface:
-        return given.surface(options, stages), t1
-    labels = options.labels and read_volume(options.labels)
-    stages.run("reading the T1", t1)
-    if labels:
-        stages.run("reading the labels", labels)
-    extraction = extract(t1, labels)
+        return given.surface(options, stages)
+    extraction = extract(volumes["t1"], volumes["labels"])
     stages.run("white surfaces of both hemispheres", extraction)
-    return {side: extraction.GetOutputPort(port) for port, side in enumerate(SIDES)}, t1
+    return {side: (extraction, port) for port, side in enumerate(SIDES)}
 
 
 def main(arguments=None):
     options = command_line.parse(arguments)
     stages = Stages(STAGES_BEFORE + STAGES_EACH * 2, options.threads)
     try:
-        ports, t1 = surfaces(options, stages)
+        volumes = {"t1": options.t1 and read_volume(options.t1), "labels": options.labels and read_volume(options.labels)}
+        for name, reader in volumes.items():
+            if reader:
+                stages.run(f"reading the {name}", reader)
+        sources = surfaces(volumes, options, stages)
         names = command_line.label_names(options.label_names)
-        results = [process(side, port, t1, names, options, stages) for side, port in ports.items()]
+        results = [process(side, source, volumes, names, options, stages) for side, source in sources.items()]
         with Display(not options.no_pictures) as display:
             page = outputs.write(results, options, stages, display.available)
     except StageError as failure:

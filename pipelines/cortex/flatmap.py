@@ -1,10 +1,12 @@
 """The flat map as a chart: sulcal shading, region contours and names, compass and scale."""
+import re
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkProbeFilter, vtkStripper, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges2D
-from vtkmodules.vtkImagingGeneral import vtkImageEuclideanDistance
+from vtkmodules.vtkImagingGeneral import vtkImageEuclideanDistance, vtkImageGaussianSmooth
 from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D
 
 import arrays
@@ -13,6 +15,7 @@ import scenes
 from render import View
 
 RESOLUTION = 560  # pixels across the label image that contours and name places are taken from
+BLUR = 3.5  # pixels, standard deviation: what is narrower than about twice that is not drawn
 
 
 def view(map_, margin=1.10):
@@ -41,8 +44,29 @@ def label_image(map_, array):
     probe.SetSourceData(source)
     probe.CategoricalDataOn()
     probe.Update()
+    mapped = vtk_to_numpy(probe.GetValidPoints())
     labels = np.nan_to_num(vtk_to_numpy(probe.GetOutput().GetPointData().GetArray(array)))
-    image.GetPointData().SetScalars(numpy_to_vtk(np.rint(labels).astype(np.int32), deep=1))
+    return _smoothed_labels(image, np.rint(labels).astype(np.int32), mapped)
+
+
+def _smoothed_labels(image, labels, mapped):
+    """Each pixel takes the label whose blurred region is strongest there: for drawing, not for statistics."""
+    inside = np.zeros(len(labels), dtype=bool)
+    inside[mapped] = True
+    best, winner = np.zeros(len(labels), dtype=np.float32), np.zeros(len(labels), dtype=np.int32)
+    blur = vtkImageGaussianSmooth()
+    blur.SetDimensionality(2)
+    blur.SetStandardDeviations(BLUR, BLUR, 0)
+    blur.SetInputData(image)
+    for label in np.unique(labels[inside]):
+        region = numpy_to_vtk(((labels == label) & inside).astype(np.float32), deep=1)
+        image.GetPointData().SetScalars(region)
+        image.Modified()
+        blur.Update()
+        strength = vtk_to_numpy(blur.GetOutput().GetPointData().GetScalars())
+        winner[strength > best] = label
+        best = np.maximum(best, strength)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.where(inside, winner, 0), deep=1))
     return image
 
 
@@ -101,7 +125,7 @@ def name_actors(places, names):
     """The names of the regions, smaller where there is less room; none where there is too little."""
     actors = []
     for label, (x, y, clearance) in places.items():
-        lines = names.get(label, str(label)).replace("_L", "").replace("_R", "").split("_")
+        lines = re.sub("_[LR]$", "", names.get(label, str(label))).split("_")
         size = int(np.clip(2200 * clearance / max(4, max(map(len, lines))), 11, 19))
         if clearance > 0.018:
             actors.append(_words("\n".join(lines), (x, y, 0.02), size))

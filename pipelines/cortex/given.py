@@ -12,7 +12,7 @@ MEDIAL_SHARE = 0.08  # of the width of the hemisphere lies beyond the plane that
 
 
 def surface(options, stages):
-    """{side: output port} of the surface, with the arrays of --cortex and --labels."""
+    """{side: (filter, output port)} of the surface, with the arrays of --cortex and --labels."""
     last = authalic.vtkSurfaceFileReader()
     last.SetFileName(str(options.surface))
     given = stages.run("reading the surface", last)
@@ -27,7 +27,7 @@ def surface(options, stages):
         cortex.SetArrayName(CORTEX)
         stages.run("reading the cortex label", cortex)
         last = cortex
-    return {side: last.GetOutputPort()}
+    return {side: (last, 0)}
 
 
 def side_of(path, given):

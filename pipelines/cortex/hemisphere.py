@@ -35,7 +35,7 @@ class Hemisphere:
         labels = arrays.point_array(self.white, "Label")
         if labels is None:
             return {}
-        return {int(k): names.get(int(k), f"region {int(k)}") for k in np.unique(labels) if k > 0}
+        return {int(k): names.get(int(k), f"region {int(k)}") for k in np.unique(labels[labels > 0])}
 
     @property
     def flat(self):
@@ -59,8 +59,8 @@ class Hemisphere:
         return arrays.cell_array(cells, "ElementAreaRatio")[arrays.cell_array(cells, "Interior") > 0]
 
     def numbers(self, name):
-        """Field data of a map: distortion, status, elements."""
-        return arrays.field_numbers(self.maps[name])
+        """Field data of a map: distortion, status, elements; without the seconds, which differ from run to run."""
+        return {key: value for key, value in arrays.field_numbers(self.maps[name]).items() if key != "Seconds"}
 
     def shown_field(self):
         """The field of the picture: the T1 in the cortex, else the first there is."""
