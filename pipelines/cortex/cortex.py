@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """The main job: from a T1 MRI to area-preserving flat maps of the cortex with statistics per element.
 
-    cortex.py [--t1 FILE [--labels FILE] | --surface FILE] [--fast] [--out DIR]     (cortex.py --help says all)
+    cortex.py [--t1 FILE [--labels FILE] | --surface FILE] [--fast] [--out DIR] …  (--help says all)
 
 Copy this file and change it: it is one VTK pipeline per hemisphere,
 
-    T1, labels -> vtkCorticalSurface -> SulcalDepth -> vtkSampleVolumeOnSurface ... -> vtkCutToDisk
-               -> vtkBarycentricMap -> vtkDiscreteLieFlow -> UprightMap -> vtkElementGrid -> vtkElementStatistics
+    vtkVolumeFileReader -> vtkCorticalSurface -> SulcalDepth -> vtkSampleVolumeOnSurface -> vtkLabelsOnSurface
+        -> vtkCutToDisk -> vtkBarycentricMap -> vtkDiscreteLieFlow -> UprightMap -> vtkElementGrid
+        -> vtkElementStatistics
 
 Every filter is an ordinary VTK filter; the files beside this one draw pictures and write reports.
 """
@@ -23,12 +24,12 @@ from hemisphere import AUTHALIC, INITIAL, SIDES, Hemisphere
 from render import Display
 from stages import StageError, Stages
 
-STAGES_BEFORE, STAGES_EACH = 3, 12
 
 
-def read_volume(path):
+def read_volume(path, name, stages):
     reader = authalic.vtkVolumeFileReader()
     reader.SetFileName(str(path))
+    stages.run(f"reading the {name}", reader)
     return reader
 
 
@@ -86,16 +87,15 @@ def statistics(elements, side, fields, names):
 
 
 def with_labels(surface, labels):
-    """The point array Label: the most frequent label of the voxels along the normal, 2 mm outward to 1 mm inward."""
-    label = sample_along_normal(surface.GetOutputPort(), labels, "Label", (-2, 1, 0.5))
-    label.SetReducerToMode()
-    label.SetInterpolationToNearest()
-    label.SkipZeroOn()
+    """The point array Label: the nearest labelled voxel of every vertex."""
+    label = authalic.vtkLabelsOnSurface()
+    label.SetInputConnection(0, surface.GetOutputPort())
+    label.SetInputConnection(1, labels.GetOutputPort())
     return label
 
 
 def fields_of(surface, t1):
-    """Reads the T1 at, above and below the surface: the last filter, and (array, unit, meaning) of each field."""
+    """Reads the T1 at and around the surface: the last filter, and (array, unit, meaning) of each field."""
     fields = [("sulcal_depth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
     if t1 is None:
         return surface, fields
@@ -117,7 +117,7 @@ def process(side, source, volumes, names, options, stages):
     topology.SetInputConnection(white)
     depth = steps.SulcalDepth()
     depth.SetInputConnection(white)
-    sampled, fields = fields_of(depth, volumes["t1"])
+    sampled, fields = fields_of(depth, volumes["T1"])
     if volumes["labels"]:
         sampled = with_labels(sampled, volumes["labels"])
     cut = given.cut(sampled, side, options) if options.surface else authalic.vtkCutToDisk()
@@ -151,19 +151,17 @@ def surfaces(volumes, options, stages):
     """{side: (filter, output port) of the white surface}."""
     if options.surface:
         return given.surface(options, stages)
-    extraction = extract(volumes["t1"], volumes["labels"])
+    extraction = extract(volumes["T1"], volumes["labels"])
     stages.run("white surfaces of both hemispheres", extraction)
     return {side: (extraction, port) for port, side in enumerate(SIDES)}
 
 
 def main(arguments=None):
     options = command_line.parse(arguments)
-    stages = Stages(STAGES_BEFORE + STAGES_EACH * 2, options.threads)
+    stages = Stages(command_line.count_stages(options), options.threads)
     try:
-        volumes = {"t1": options.t1 and read_volume(options.t1), "labels": options.labels and read_volume(options.labels)}
-        for name, reader in volumes.items():
-            if reader:
-                stages.run(f"reading the {name}", reader)
+        volumes = {name: read_volume(path, name, stages) if path else None
+                   for name, path in (("T1", options.t1), ("labels", options.labels))}
         sources = surfaces(volumes, options, stages)
         names = command_line.label_names(options.label_names)
         results = [process(side, source, volumes, names, options, stages) for side, source in sources.items()]

@@ -12,14 +12,18 @@ from render import OVERSAMPLING
 BEFORE, AFTER = (0.84, 0.37, 0.00), (0.00, 0.35, 0.70)  # Okabe and Ito: told apart by colour-blind readers
 
 
-def histogram_actor(series, weights, edges, title, unit, of="share of the cortex in %"):
-    """A chart of outlines. `series` = [(name, values, colour)], each face weighted by `weights`."""
+def histogram_actor(series, weights, ticks, width, title, unit, of="share of the cortex in %"):
+    """A chart of outlines over the range of the ticks, with bins of `width` of which one is centred on each tick.
+
+    series = [(name, values, colour)]; weights of the values, or None.
+    """
+    edges = np.arange(ticks[0] - width / 2, ticks[-1] + width, width)
     chart = vtkChartXY()
     chart.SetTitle(title)
     _style(chart.GetTitleProperties(), 20, bold=True)
     for name, values, colour in series:
         _outline(chart, name, _shares(values, weights, edges), edges, colour)
-    _axis(chart.GetAxis(vtkAxis.BOTTOM), unit, np.linspace(edges[0], edges[-1], 7))
+    _axis(chart.GetAxis(vtkAxis.BOTTOM), unit, ticks)
     top = 10 * np.ceil(max(_shares(values, weights, edges).max() for _, values, _ in series) / 10)
     _axis(chart.GetAxis(vtkAxis.LEFT), of, np.linspace(0, top, 6))
     chart.SetShowLegend(True)
@@ -55,7 +59,8 @@ def _outline(chart, name, shares, edges, colour):
 def _axis(axis, title, ticks):
     axis.SetTitle(title)
     axis.SetBehavior(vtkAxis.FIXED)
-    axis.SetRange(ticks[0], ticks[-1])
+    margin = 0.01 * (ticks[-1] - ticks[0]) if ticks[0] else 0
+    axis.SetRange(ticks[0] - margin, ticks[-1] + margin)
     axis.SetCustomTickPositions(numpy_to_vtk(np.ascontiguousarray(ticks), deep=1))
     axis.SetNotation(vtkAxis.PRINTF_NOTATION)
     axis.SetLabelFormat("%g")

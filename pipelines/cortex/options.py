@@ -73,3 +73,10 @@ def label_names(path):
         return {}
     rows = [line.split() for line in path.read_text(encoding="utf-8", errors="replace").splitlines()]
     return {int(row[0]): row[1] for row in rows if len(row) > 1 and row[0].lstrip("-").isdigit()}
+
+
+def count_stages(options):
+    """How many stages the job will have (see Stages)."""
+    before = sum(1 for path in (options.t1, options.labels, options.cortex) if path) + 1
+    each = 11 + (not options.no_pictures)
+    return before + each * (1 if options.surface else 2)

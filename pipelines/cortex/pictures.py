@@ -102,11 +102,11 @@ def histogram(hemisphere, path):
                 for name, map_ in hemisphere.maps.items()]
     ratios = [(name, hemisphere.element_ratios(name), colour[name]) for name in hemisphere.maps]
     charts = [
-        histograms.histogram_actor(series("AreaDistortion"), weights, np.linspace(-3, 3, 61), "Areas of triangles",
+        histograms.histogram_actor(series("AreaDistortion"), weights, np.arange(-4, 5), 0.1, "Areas of triangles",
                                    "log2 (area on the map / on the cortex)"),
-        histograms.histogram_actor(series("AngleDistortion"), weights, np.linspace(2, 8, 61), "Angles of triangles",
+        histograms.histogram_actor(series("AngleDistortion"), weights, np.arange(2, 11), 0.1, "Angles of triangles",
                                    "s1/s2 + s2/s1 (2 = angles kept)"),
-        histograms.histogram_actor(ratios, None, np.linspace(0, 2.4, 121), "Areas of elements",
+        histograms.histogram_actor(ratios, None, np.arange(0, 3.1, 0.5), 0.02, "Areas of whole elements",
                                    "area / target area", "share of the elements in %")]
     panels = [Panel([chart], (k / 3, 0, (k + 1) / 3, 1), None) for k, chart in enumerate(charts)]
     picture(panels, (1800, 520), path)

@@ -29,20 +29,22 @@ class Stages:
 
     def run(self, name, filter_, port=0):
         """Updates a filter and returns the output of `port`."""
-        if hasattr(filter_, "SetThreads"):
-            filter_.SetThreads(self.threads)
-        messages = _Messages(filter_)
+        chain = upstream(filter_)
+        for member in chain:
+            if hasattr(member, "SetThreads"):
+                member.SetThreads(self.threads)
+        messages = _Messages(chain)
         with self.stage(name) as stage:
             tag = filter_.AddObserver("ProgressEvent", lambda *_: stage.progress(filter_.GetProgress()))
             filter_.Update()
             filter_.RemoveObserver(tag)
         messages.close()
         self.warnings += [f"{name}: {text}" for text in messages.warnings]
-        kind = filter_.GetErrorKind() if hasattr(filter_, "GetErrorKind") else int(bool(messages.errors))
-        if kind == NOT_CONVERGED:
-            self.converged = False
-        elif kind or messages.errors:
-            raise StageError(" ".join(messages.errors) or f"The stage {name} failed.", kind or 1)
+        kinds = [member.GetErrorKind() for member in chain if hasattr(member, "GetErrorKind")]
+        self.converged &= NOT_CONVERGED not in kinds
+        failed = [kind for kind in kinds if kind not in (0, NOT_CONVERGED)]
+        if failed or messages.errors:
+            raise StageError(" ".join(messages.errors) or f"The stage '{name}' failed.", failed[0] if failed else 1)
         return filter_.GetOutputDataObject(port)
 
     def stage(self, name):
@@ -81,15 +83,28 @@ class _Stage:
         print(f"{start}{seconds:.1f} s" if kind is None else "failed", file=sys.stderr, flush=True)
 
 
-class _Messages:
-    """What a filter and its executive say while they run, instead of VTK's own printing."""
+def upstream(filter_):
+    """The filter and every one that feeds it, sources first."""
+    chain = []
+    for port in range(filter_.GetNumberOfInputPorts()):
+        for connection in range(filter_.GetNumberOfInputConnections(port)):
+            chain += [member for member in upstream(filter_.GetInputAlgorithm(port, connection)) if member not in chain]
+    return [*chain, filter_]
 
-    def __init__(self, filter_):
+
+class _Messages:
+    """What filters and their executives say while they run, instead of VTK's own printing."""
+
+    def __init__(self, filters):
         self.errors, self.warnings = [], []
-        self.tags = [(speaker, speaker.AddObserver(event, self._listener(kept)))
-                     for speaker in (filter_, filter_.GetExecutive())
-                     for event, kept in (("ErrorEvent", self.errors if speaker is filter_ else []),
-                                         ("WarningEvent", self.warnings))]
+        self.tags = []
+        for filter_ in filters:
+            self._listen(filter_, self.errors)
+            self._listen(filter_.GetExecutive(), [])  # it only repeats that a filter failed
+
+    def _listen(self, speaker, errors):
+        for event, kept in (("ErrorEvent", errors), ("WarningEvent", self.warnings)):
+            self.tags.append((speaker, speaker.AddObserver(event, self._listener(kept))))
 
     @staticmethod
     def _listener(kept):

@@ -13,6 +13,7 @@ help(authalic.vtkDiscreteLieFlow) shows ports, arrays and options with their uni
 import importlib as _importlib
 import pathlib as _pathlib
 
+__version__ = "@PROJECT_VERSION@"
 __all__ = []
 
 for _path in sorted(_pathlib.Path(__file__).parent.glob("vtkAuthalic*.so")):
