@@ -61,7 +61,7 @@ def _axis(axis, title, ticks):
     axis.SetBehavior(vtkAxis.FIXED)
     margin = 0.01 * (ticks[-1] - ticks[0]) if ticks[0] else 0
     axis.SetRange(ticks[0] - margin, ticks[-1] + margin)
-    axis.SetCustomTickPositions(numpy_to_vtk(np.ascontiguousarray(ticks), deep=1))
+    axis.SetCustomTickPositions(numpy_to_vtk(np.ascontiguousarray(ticks, dtype=float), deep=1))
     axis.SetNotation(vtkAxis.PRINTF_NOTATION)
     axis.SetLabelFormat("%g")
     axis.GetGridPen().SetColorF(0.9, 0.9, 0.9)
