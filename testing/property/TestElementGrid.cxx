@@ -132,6 +132,55 @@ TEST(ElementGrid, AgreesWithAMonteCarloCount) {
   }
 }
 
+namespace {
+
+/// Keeps the side sign·(x[axis] − line) ≥ 0 of a polygon.
+std::vector<Eigen::Vector2d> clipped(const std::vector<Eigen::Vector2d>& polygon, int axis, double line,
+                                     double sign) {
+  std::vector<Eigen::Vector2d> result;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Eigen::Vector2d &here = polygon[k], &next = polygon[(k + 1) % polygon.size()];
+    const double a = sign * (here[axis] - line), b = sign * (next[axis] - line);
+    if (a >= 0) result.push_back(here);
+    if (a * b < 0) result.push_back(here + a / (a - b) * (next - here));
+  }
+  return result;
+}
+
+double shoelace(const std::vector<Eigen::Vector2d>& polygon) {
+  double sum = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Eigen::Vector2d &here = polygon[k], &next = polygon[(k + 1) % polygon.size()];
+    sum += here[0] * next[1] - here[1] * next[0];
+  }
+  return std::abs(sum) / 2;
+}
+
+}  // namespace
+
+/// Each cell cuts each face on its own, in the plane, and areas are compared by the shoelace formula.
+TEST(ElementGrid, AgreesWithClippingFaceByCellInThePlane) {
+  const TriangleMesh mesh = bumpyDisk(9);
+  const Points2 image = warpedImage(mesh, 0.02, 21);
+  ElementGridOptions options{60};
+  options.mergeBelow = 0.0;
+  const ElementGrid grid = elementGrid(mesh, image, options);
+  for (const Element& element : grid.elements) {
+    double area = 0;
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+      std::vector<Eigen::Vector2d> whole;
+      for (int k = 0; k < 3; ++k) whole.emplace_back(image.row(mesh.faces()(f, k)).transpose());
+      std::vector<Eigen::Vector2d> part = whole;
+      for (int axis = 0; axis < 2; ++axis) {
+        part = clipped(part, axis, element.lower[static_cast<std::size_t>(axis)], 1);
+        part = clipped(part, axis, element.upper[static_cast<std::size_t>(axis)], -1);
+      }
+      area += areaOf(mesh, f) * shoelace(part) / shoelace(whole);
+    }
+    EXPECT_NEAR(element.area, area, 1e-12);
+  }
+}
+
 TEST(ElementGrid, DoesNotDependOnTheOrderOfVerticesAndFaces) {
   const TriangleMesh mesh = bumpyDisk(13);
   const Points2 image = warpedImage(mesh, 0.02, 4);
