@@ -22,7 +22,7 @@ enum class LieFlowFinish {
 
 struct DiscreteLieFlowOptions {
   PlanarDomain domain;        ///< unit disk; must be the domain of the initial map
-  double tolerance = 1e-3;    ///< stop when the residual falls below it, > 0
+  double tolerance = 5e-3;    ///< stop when the residual falls below it, > 0
   int maxIterations = 200;    ///< steps of the flow, ≥ 0
   double flowTolerance = 0.1; ///< hand over to the finish when the flow's own residual falls below it, > 0
   double stepRatio = 0.6;     ///< μ of the adaptive step, in (0, 1)

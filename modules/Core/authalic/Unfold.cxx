@@ -1,11 +1,14 @@
 #include "Core/authalic/Unfold.h"
 
+#include <algorithm>
+
 #include "Core/geometry/Areas.h"
-#include "Core/numerics/ElementAssembly.h"
-#include "Core/numerics/SparseSolver.h"
+#include "Core/initial/BarycentricSystem.h"
 
 namespace authalic {
 namespace {
+
+constexpr int kMostRings = 32;  // wider patches give way to the whole mesh
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -31,55 +34,24 @@ std::vector<char> cornersOfFolds(const Faces& faces, const Points2& image) {
   return marked;
 }
 
-// Puts every marked inner vertex at the mean of its neighbours; returns how many there are.
-int embedPatches(const SurfaceTopology& topology, const std::vector<char>& marked, Points2& image) {
-  const Faces& faces = topology.faces();
-  std::vector<int> unknown(marked.size(), -1), vertices;
-  for (std::size_t v = 0; v < marked.size(); ++v) {
-    if (!marked[v] || topology.onBoundary()[v]) continue;
-    unknown[v] = static_cast<int>(vertices.size());
-    vertices.push_back(static_cast<int>(v));
-  }
-  ElementAssembly::Unknowns elements(faces.rows(), 3);
-  Eigen::Index count = 0;
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(vertices.size()), 2);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const Eigen::Vector3i u(unknown[at(faces(f, 0))], unknown[at(faces(f, 1))], unknown[at(faces(f, 2))]);
-    if (u.maxCoeff() < 0) continue;
-    elements.row(count++) = u.transpose();
-    for (int k = 0; k < 3; ++k) {
-      for (const int l : {(k + 1) % 3, (k + 2) % 3}) {
-        if (u[k] >= 0 && u[l] < 0) b.row(u[k]) += 0.5 * image.row(faces(f, l));
-      }
-    }
-  }
-  ElementAssembly assembly(static_cast<int>(vertices.size()), elements.topRows(count));
-  std::vector<double> values;
-  for (Eigen::Index e = 0; e < count; ++e) values.insert(values.end(), {1, -0.5, -0.5, 1, -0.5, 1});
-  SparseSolver solver;
-  solver.compute(assembly.assemble(values));
-  const Eigen::MatrixXd x = solver.solve(b);
-  for (std::size_t k = 0; k < vertices.size(); ++k) image.row(vertices[k]) = x.row(static_cast<Eigen::Index>(k));
-  return static_cast<int>(vertices.size());
-}
-
 }  // namespace
 
 UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution) {
   UnfoldResult result{std::move(image), 0, 0, 0};
-  std::vector<char> patch(static_cast<std::size_t>(result.image.rows()), 0);
-  std::size_t covered = 0;
-  for (int rings = 1;; rings *= 2) {
-    std::vector<char> folds = cornersOfFolds(topology.faces(), result.image);
-    result.flippedFaces = countFlippedFaces(result.image, topology.faces());
-    if (result.flippedFaces == 0 || covered == patch.size() || execution.cancelled()) return result;
-    grow(topology.faces(), rings, folds);
-    covered = 0;
-    for (std::size_t v = 0; v < patch.size(); ++v) {
-      patch[v] = folds[v];
-      covered += patch[v] ? 1 : 0;
+  const Faces& faces = topology.faces();
+  for (int rings = 2;; rings *= 2) {
+    result.flippedFaces = countFlippedFaces(result.image, faces);
+    const bool everything = result.movedVertices == topology.vertexCount();
+    if (result.flippedFaces == 0 || everything || execution.cancelled()) return result;
+    std::vector<char> held = cornersOfFolds(faces, result.image);
+    grow(faces, rings, held);
+    result.movedVertices = static_cast<int>(std::count(held.begin(), held.end(), 1));
+    if (rings > kMostRings || 2 * result.movedVertices > topology.vertexCount()) {
+      std::fill(held.begin(), held.end(), 1);
+      result.movedVertices = topology.vertexCount();
     }
-    result.movedVertices += embedPatches(topology, patch, result.image);
+    for (std::size_t v = 0; v < held.size(); ++v) held[v] = !held[v] || topology.onBoundary()[v];
+    solveBarycentric(faces, meanValueWeights(result.image, faces), held, SolverBackend::Automatic, result.image);
     ++result.rounds;
   }
 }

@@ -12,17 +12,18 @@ namespace authalic {
 struct UnfoldResult {
   Points2 image;
   int rounds = 0;
-  int movedVertices = 0;  ///< vertices whose place was solved for, counted once per round
+  int movedVertices = 0;  ///< size of the last round's patches; all vertices when they grew to the whole mesh
   int flippedFaces = 0;   ///< folds that are left; 0 on a convex domain whose boundary is in order
 };
 
 /// Unfold the faces of `image` whose signed area is not positive.
 ///
-/// The vertices within a growing number of edges of a fold are put where each is the mean of its neighbours, the rest
-/// held. Round by round the patches that still fold grow (1, 2, 4, … rings), until nothing is folded; in the limit
-/// everything but the boundary is solved for, which is Tutte's embedding @cite tutte1963: no folds when the boundary
-/// is convex and in order.
-/// Boundary vertices never move. Complexity: one sparse solve per round on the patches only.
+/// The vertices within 2, 4, 8, … edges of a fold are put where each is the weighted mean of its neighbours, the rest
+/// held, until nothing is folded. The weights are the mean-value weights of the image itself with unsigned angles
+/// @cite floater2003: positive everywhere, and such that a vertex without a fold around it is already at its mean. So
+/// the image changes near folds only; and when a patch grows to the whole mesh, the result is a barycentric map with
+/// positive weights: no folds when the boundary is convex and in order.
+/// Boundary vertices never move. Complexity: one sparse solve per round on the patches.
 [[nodiscard]] UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution = {});
 
 }  // namespace authalic

@@ -37,7 +37,25 @@ SparseMatrix stiffnessOf(const HalfEdgeWeights& weights, const Faces& faces, int
 double tangentOfHalfAngle(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   const double denominator = u.norm() * v.norm() + u.dot(v);
   const double cross = u.cross(v).norm();
-  return denominator > 1e-12 * cross ? cross / denominator : 1e12;
+  return denominator > 1e-6 * cross ? cross / denominator : 1e6;
+}
+
+template <class Place>
+MeanValueWeights meanValueWeightsOf(const Faces& faces, const Place& place) {
+  MeanValueWeights weights{HalfEdgeWeights(faces.rows(), 3), HalfEdgeWeights(faces.rows(), 3)};
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const std::array<Eigen::Vector3d, 3> p{place(faces(f, 0)), place(faces(f, 1)), place(faces(f, 2))};
+    const std::array<Eigen::Vector3d, 3> edge{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
+    std::array<double, 3> tangent{};
+    for (std::size_t k = 0; k < 3; ++k) tangent[k] = tangentOfHalfAngle(edge[k], -edge[(k + 2) % 3]);
+    const double perimeter = edge[0].norm() + edge[1].norm() + edge[2].norm();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = std::max({edge[k].norm(), 1e-8 * perimeter, 1e-300});
+      weights.forward(f, static_cast<Eigen::Index>(k)) = tangent[k] / length;
+      weights.backward(f, static_cast<Eigen::Index>(k)) = tangent[(k + 1) % 3] / length;
+    }
+  }
+  return weights;
 }
 
 double angleBetween(double ux, double uy, double vx, double vy) {
@@ -66,20 +84,11 @@ HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces) {
 }
 
 MeanValueWeights meanValueWeights(const TriangleMesh& surface) {
-  MeanValueWeights weights{HalfEdgeWeights(surface.faceCount(), 3), HalfEdgeWeights(surface.faceCount(), 3)};
-  for (int f = 0; f < surface.faceCount(); ++f) {
-    std::array<Eigen::Vector3d, 3> edge;
-    for (int k = 0; k < 3; ++k) edge[static_cast<std::size_t>(k)] = surface.corner(f, (k + 1) % 3) - surface.corner(f, k);
-    std::array<double, 3> tangent{};
-    for (std::size_t k = 0; k < 3; ++k) tangent[k] = tangentOfHalfAngle(edge[k], -edge[(k + 2) % 3]);
-    const double perimeter = edge[0].norm() + edge[1].norm() + edge[2].norm();
-    for (int k = 0; k < 3; ++k) {
-      const double length = std::max({edge[static_cast<std::size_t>(k)].norm(), 1e-8 * perimeter, 1e-300});
-      weights.forward(f, k) = tangent[static_cast<std::size_t>(k)] / length;
-      weights.backward(f, k) = tangent[static_cast<std::size_t>((k + 1) % 3)] / length;
-    }
-  }
-  return weights;
+  return meanValueWeightsOf(surface.faces(), [&surface](int v) { return surface.point(v); });
+}
+
+MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces) {
+  return meanValueWeightsOf(faces, [&points](int v) { return Eigen::Vector3d(points(v, 0), points(v, 1), 0); });
 }
 
 SparseMatrix cotangentStiffness(const TriangleMesh& surface) {

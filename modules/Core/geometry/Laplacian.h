@@ -26,6 +26,9 @@ struct MeanValueWeights {
   HalfEdgeWeights forward, backward;
 };
 [[nodiscard]] MeanValueWeights meanValueWeights(const TriangleMesh& surface);
+/// The same in the plane, with unsigned angles: positive also on folded faces. Where no face around an inner vertex is
+/// folded, the vertex is the mean of its neighbours with these weights.
+[[nodiscard]] MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces);
 
 /// Cotangent stiffness L (n×n, lower triangle): L_ij = −½(cot α + cot β), L_ii = −Σ_j L_ij.
 ///

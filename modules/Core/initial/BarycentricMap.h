@@ -54,7 +54,7 @@ struct BarycentricMapResult {
 /// → `flippedFaces`. The harmonic image minimises the Dirichlet energy for its boundary. On a closed flat convex
 /// patch whose boundary is given to itself all but Uniform reproduce the identity.
 ///
-/// Complexity: one sparse factorisation, O(n^1.5); MeanValue is not symmetric and is solved by BiCGSTAB with the
+/// Complexity: one sparse factorisation, O(n^1.5); MeanValue is not symmetric and is solved by GMRES with the
 /// factorised symmetric part as preconditioner, to 1e-14.
 /// @throws InvalidArgument, TopologyError, GeometryError from the boundary (see placeBoundary)
 /// @throws SolverError when the system cannot be factorised

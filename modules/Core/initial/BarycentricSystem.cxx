@@ -1,0 +1,187 @@
+#include "Core/initial/BarycentricSystem.h"
+
+#include <Eigen/QR>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "Core/base/Error.h"
+#include "Core/numerics/ElementAssembly.h"
+
+namespace authalic {
+namespace {
+
+using RowMajorMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+struct Unknowns {
+  std::vector<int> ofVertex;    // −1 where held
+  std::vector<int> vertices;    // of each unknown
+  ElementAssembly::Unknowns ofFace;
+};
+
+Unknowns numberFreeVertices(const Faces& faces, const std::vector<char>& held) {
+  Unknowns unknowns;
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    unknowns.ofVertex.push_back(held[v] ? -1 : static_cast<int>(unknowns.vertices.size()));
+    if (!held[v]) unknowns.vertices.push_back(static_cast<int>(v));
+  }
+  unknowns.ofFace.resize(faces.rows(), 3);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) unknowns.ofFace(f, k) = unknowns.ofVertex[static_cast<std::size_t>(faces(f, k))];
+  }
+  return unknowns;
+}
+
+// The symmetric part of the system: the system itself for symmetric weights.
+SparseMatrix symmetricSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
+  ElementAssembly assembly(static_cast<int>(unknowns.vertices.size()), unknowns.ofFace);
+  std::vector<double> values(static_cast<std::size_t>(6 * unknowns.ofFace.rows()));
+  for (Eigen::Index f = 0; f < unknowns.ofFace.rows(); ++f) {
+    const Eigen::RowVector3d w = 0.5 * (weights.forward.row(f) + weights.backward.row(f));
+    const std::array<double, 6> element{w[0] + w[2], -w[0], -w[2], w[0] + w[1], -w[1], w[1] + w[2]};
+    std::copy(element.begin(), element.end(), values.begin() + 6 * f);
+  }
+  return assembly.assemble(values);
+}
+
+RowMajorMatrix fullSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double, int>> entries;
+  entries.reserve(static_cast<std::size_t>(12 * unknowns.ofFace.rows()));
+  const auto add = [&entries](int i, int j, double w) {
+    if (i < 0) return;
+    entries.emplace_back(i, i, w);
+    if (j >= 0) entries.emplace_back(i, j, -w);
+  };
+  for (Eigen::Index f = 0; f < unknowns.ofFace.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = unknowns.ofFace(f, k), j = unknowns.ofFace(f, (k + 1) % 3);
+      add(i, j, weights.forward(f, k));
+      add(j, i, weights.backward(f, k));
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(unknowns.vertices.size());
+  RowMajorMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::MatrixXd rightHandSide(const Faces& faces, const MeanValueWeights& weights, const Unknowns& unknowns,
+                              const Points2& image) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknowns.vertices.size()), 2);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3, i = unknowns.ofFace(f, k), j = unknowns.ofFace(f, l);
+      if (i >= 0 && j < 0) b.row(i) += weights.forward(f, k) * image.row(faces(f, l));
+      if (j >= 0 && i < 0) b.row(j) += weights.backward(f, k) * image.row(faces(f, k));
+    }
+  }
+  return b;
+}
+
+// One restart of right-hand-side-blocked GMRES: two independent Krylov spaces that share every preconditioner call.
+class PairedGmres {
+ public:
+  static constexpr int kDimension = 30;
+
+  PairedGmres(const RowMajorMatrix& matrix, const SparseSolver& preconditioner)
+      : matrix_(matrix), preconditioner_(preconditioner) {}
+
+  // Improves x; returns the largest relative preconditioned residual reached.
+  double cycle(const Eigen::MatrixXd& b, const Eigen::Vector2d& scale, double tolerance, Eigen::MatrixXd& x) {
+    std::vector<Eigen::MatrixXd> basis{preconditioner_.solve(b - matrix_ * x)};
+    Eigen::Vector2d worst(0, 0);
+    for (int c = 0; c < 2; ++c) {
+      start_[c] = basis[0].col(c).norm();
+      if (start_[c] > 0) basis[0].col(c) /= start_[c];
+      hessenberg_[c].setZero(kDimension + 1, kDimension);
+    }
+    int used = 0;
+    while (used < kDimension) {
+      basis.push_back(preconditioner_.solve(matrix_ * basis.back()));
+      orthogonalise(basis, used++);
+      for (int c = 0; c < 2; ++c) worst[c] = leastSquares(c, used) / std::max(scale[c], 1e-300);
+      if (worst.maxCoeff() <= tolerance) break;
+    }
+    for (int c = 0; c < 2; ++c) {
+      for (int k = 0; k < used; ++k) x.col(c) += coefficients_[c][k] * basis[static_cast<std::size_t>(k)].col(c);
+    }
+    return worst.maxCoeff();
+  }
+
+ private:
+  void orthogonalise(std::vector<Eigen::MatrixXd>& basis, int step) {
+    for (int c = 0; c < 2; ++c) {
+      auto last = basis.back().col(c);
+      for (int k = 0; k <= step; ++k) {
+        const double overlap = last.dot(basis[static_cast<std::size_t>(k)].col(c));
+        hessenberg_[c](k, step) = overlap;
+        last -= overlap * basis[static_cast<std::size_t>(k)].col(c);
+      }
+      const double norm = last.norm();
+      hessenberg_[c](step + 1, step) = norm;
+      if (norm > 0) last /= norm;
+    }
+  }
+
+  double leastSquares(int c, int used) {
+    const Eigen::MatrixXd h = hessenberg_[c].topLeftCorner(used + 1, used);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(used + 1);
+    right[0] = start_[c];
+    coefficients_[c] = h.colPivHouseholderQr().solve(right);
+    return (right - h * coefficients_[c]).norm();
+  }
+
+  const RowMajorMatrix& matrix_;
+  const SparseSolver& preconditioner_;
+  std::array<Eigen::MatrixXd, 2> hessenberg_;
+  std::array<Eigen::VectorXd, 2> coefficients_;
+  std::array<double, 2> start_{};
+};
+
+Eigen::MatrixXd solveUnsymmetric(const RowMajorMatrix& matrix, const SparseSolver& preconditioner,
+                                 const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd x = preconditioner.solve(b);
+  const Eigen::Vector2d scale(x.col(0).norm(), x.col(1).norm());
+  PairedGmres gmres(matrix, preconditioner);
+  for (int restart = 0; restart < 4; ++restart) {
+    if (gmres.cycle(b, scale, 1e-14, x) <= 1e-13) return x;
+  }
+  const Eigen::SparseLU<Eigen::SparseMatrix<double>> direct{Eigen::SparseMatrix<double>(matrix)};
+  if (direct.info() != Eigen::Success) {
+    throw SolverError("A regular mean-value system is required, but its factorisation failed; "
+                      "look for degenerate triangles, or use tutte.");
+  }
+  return direct.solve(b);
+}
+
+void store(const Unknowns& unknowns, const Eigen::MatrixXd& x, Points2& image) {
+  for (std::size_t k = 0; k < unknowns.vertices.size(); ++k) {
+    image.row(unknowns.vertices[k]) = x.row(static_cast<Eigen::Index>(k));
+  }
+}
+
+}  // namespace
+
+void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const std::vector<char>& held,
+                      SolverBackend backend, Points2& image) {
+  const Unknowns unknowns = numberFreeVertices(faces, held);
+  if (unknowns.vertices.empty()) return;
+  const MeanValueWeights both{weights, weights};
+  SparseSolver solver(backend);
+  solver.compute(symmetricSystem(both, unknowns));
+  store(unknowns, solver.solve(rightHandSide(faces, both, unknowns, image)), image);
+}
+
+void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
+                      SolverBackend backend, Points2& image) {
+  const Unknowns unknowns = numberFreeVertices(faces, held);
+  if (unknowns.vertices.empty()) return;
+  SparseSolver solver(backend);
+  solver.compute(symmetricSystem(weights, unknowns));
+  const Eigen::MatrixXd b = rightHandSide(faces, weights, unknowns, image);
+  store(unknowns, solveUnsymmetric(fullSystem(weights, unknowns), solver, b), image);
+}
+
+}  // namespace authalic

@@ -1,0 +1,24 @@
+/// @file
+/// The linear systems behind barycentric maps: every free vertex at the weighted mean of its neighbours.
+#pragma once
+
+#include <vector>
+
+#include "Core/geometry/Laplacian.h"
+
+namespace authalic {
+
+/// Solves Σ_j w_ij (x_j − x_i) = 0 for the vertices that are not held; `image` holds the others and takes the result.
+///
+/// @param weights  per half-edge, the same both ways: a symmetric system, one Cholesky factorisation
+/// @param held     n flags: vertices whose place is given
+/// @throws SolverError when the system is not definite
+void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const std::vector<char>& held,
+                      SolverBackend backend, Points2& image);
+
+/// The same with different weights each way @cite floater2003, solved by GMRES on both coordinates with the factorised
+/// symmetric part as preconditioner, to 1e-14 of the first residual; by sparse LU where that stalls.
+void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
+                      SolverBackend backend, Points2& image);
+
+}  // namespace authalic
