@@ -11,6 +11,7 @@
 namespace authalic {
 namespace {
 
+constexpr double kFarFromTarget = 0.6;  // mean |ln r| above which the flow is never handed over for being slow
 constexpr double kWantedStep = 0.5;  // faces that would collapse before it are relaxed
 
 // h with L h = areas − targets (same total), natural boundary; h = 0 at one vertex and at unused ones.
@@ -88,6 +89,16 @@ void relaxPinned(const Points2& points, const Faces& faces, const SlidingBoundar
   }
 }
 
+// Whether the last steps have not paid: neither measure of the error fell by the share it should over the last few.
+bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now, const DiscreteLieFlowOptions& options) {
+  const bool handsOver = options.finish == LieFlowFinish::Match;
+  const std::size_t window = handsOver ? 5 : 30;
+  if (history.size() < window || options.fixedStep > 0 || (handsOver && now.meanAbsLog > kFarFromTarget)) return false;
+  const LieFlowIteration& before = history[history.size() - window];
+  const double share = handsOver ? 0.85 : 0.99;
+  return now.residual > share * before.residual && now.meanAbsLog > share * before.meanAbsLog;
+}
+
 }  // namespace
 
 LieFlowIteration measureStars(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets) {
@@ -121,6 +132,9 @@ void flowWithFlips(const DiskMesh& disk, const BoundaryPlacement& placement, con
     now.edgeFlips = flips;
     result.edgeFlips += flips;
     if (now.residual <= goal) result.status = Status::Converged;
+    if (result.status == Status::NotConverged && slow(result.history, now, options)) {
+      result.status = Status::Stalled;
+    }
     if (execution.cancelled()) result.status = Status::Cancelled;
     if (result.status != Status::NotConverged || result.iterations >= options.maxIterations) break;
     execution.report(double(result.iterations) / options.maxIterations, "Discrete Lie flow");
