@@ -105,3 +105,13 @@ TEST(ElementGrid, KeepsTheFrameOfASquareFromWhichAnEarBulges) {
   box.frame = GridFrame::BoundingBox;
   EXPECT_EQ(elementGrid(square, image, box).lines.lower[1], -0.004);
 }
+
+TEST(ElementGrid, DividesAThinStripIntoTheWantedNumber) {
+  for (const bool upright : {false, true}) {
+    const TriangleMesh strip = upright ? gridMesh(1, 100, 1.0, 1000.0) : gridMesh(100, 1, 1000.0, 1.0);
+    const ElementGrid grid = elementGrid(strip, flatImage(strip), {4});
+    EXPECT_EQ(grid.lines.columns, upright ? 1 : 4);
+    EXPECT_EQ(grid.lines.rows, upright ? 4 : 1);
+    EXPECT_LT(grid.deviation.interiorMaximum, 1e-11);
+  }
+}

@@ -137,8 +137,11 @@ GridLines tile(const Box& frame, double cellArea) {
                           " on " + std::to_string(width) + " x " + std::to_string(height) +
                           " are more; ask for fewer or larger elements.");
   }
-  lines.columns = std::max(1, static_cast<int>(std::lround(width / side)));
-  lines.rows = std::max(1, static_cast<int>(std::lround(height * lines.columns / width)));
+  // A frame thinner than half a cell gets one row of the wanted number of cells, not of square ones.
+  const double wanted = width * height / cellArea;
+  const auto atLeastOne = [](double cells) { return std::max(1, static_cast<int>(std::lround(cells))); };
+  lines.columns = atLeastOne(height < 0.5 * side ? wanted : width / side);
+  lines.rows = atLeastOne(width < 0.5 * side ? wanted : height * lines.columns / width);
   return lines;
 }
 
