@@ -25,7 +25,7 @@
 #include "Formats/AtomicFile.h"
 #include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
-#include "Formats/TextNumbers.h"
+#include "LegacyVtkGate.h"
 
 namespace authalic {
 
@@ -65,37 +65,6 @@ void observe(vtkAlgorithm* algorithm, ErrorListener* listener) {
   }
 }
 
-/// A claim of more items than the file has bytes is refused before VTK allocates for it.
-void checkClaim(const std::string& path, std::string_view number, std::uint64_t bytes) {
-  const auto claimed = parseNumber<std::int64_t>(number);
-  if (!claimed || *claimed < 0 || static_cast<std::uint64_t>(*claimed) > bytes) {
-    throw FormatError(path, "The file claims " + std::string(number.substr(0, 24)) + " items but holds " +
-                                std::to_string(bytes) + " bytes; it is damaged or truncated.");
-  }
-}
-
-/// Counts of a legacy file stand in lines that begin with one of a few words.
-void checkLegacyClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  ByteCursor cursor(path, bytes);
-  const std::string first = cursor.line();
-  if (first.substr(0, 5) != "# vtk") {
-    throw FormatError(path, "A legacy VTK file begins with \"# vtk DataFile\", but this one does not.");
-  }
-  while (cursor.remaining() > 0) {
-    const std::string line = cursor.line();
-    std::string_view rest = line;
-    const auto word = nextToken(rest);
-    const bool cells =
-        word == "POLYGONS" || word == "VERTICES" || word == "LINES" || word == "TRIANGLE_STRIPS";
-    if (cells || word == "POINTS" || word == "POINT_DATA" || word == "CELL_DATA") {
-      checkClaim(path, nextToken(rest), bytes.size());
-      if (cells) {
-        checkClaim(path, nextToken(rest), bytes.size());
-      }
-    }
-  }
-}
-
 /// A binary STL file is 84 bytes and 50 for each triangle; an ASCII one begins with "solid" and has facets.
 void checkStlClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
@@ -115,7 +84,7 @@ void checkClaims(const std::string& path, const std::string& extension) {
     throw FormatError(path, "Compressed " + extension + " files are not read; unpack it with gunzip first.");
   }
   if (extension == ".vtk") {
-    checkLegacyClaims(path, bytes);
+    checkLegacyVtk(path, bytes);
   } else if (extension == ".stl") {
     checkStlClaims(path, bytes);
   }

@@ -244,7 +244,7 @@ TEST(SurfaceFileReader, RefusesCountsThatTheFileCannotHold) {
 TEST(SurfaceFileReader, SurvivesTruncatedAndAlteredFilesOfVtksFormats) {
   const TemporaryFolder folder;
   std::mt19937 random(11);
-  for (const char* name : {"s.vtp", "s.stl", "s.ply"}) {
+  for (const char* name : {"s.vtp", "s.vtk", "s.stl", "s.ply"}) {
     ASSERT_EQ(write(sphere(), folder / name), 0);
     std::ifstream input(folder / name, std::ios::binary);
     const std::string whole((std::istreambuf_iterator<char>(input)), {});
@@ -260,6 +260,16 @@ TEST(SurfaceFileReader, SurvivesTruncatedAndAlteredFilesOfVtksFormats) {
       const Outcome outcome = read(path);
       EXPECT_TRUE(outcome.kind != 0 || outcome.surface->GetNumberOfPoints() > 0) << name << " " << i;
     }
+  }
+}
+
+TEST(SurfaceFileReader, ReadsTheLegacyFilesOfOthers) {
+  for (const char* name : {"colon/EdinGCA_3D_00020_CTC_inflated/large-intestine-SF-SF+.vtk",
+                           "colon/HuBMAPVHM_3D_00070/large-intestine-Sigmoid.vtk", "meshes/multi_boundary/fran_cut.vtk"}) {
+    AUTHALIC_NEEDS(sharedData(name));
+    const Outcome outcome = read(sharedData(name));
+    EXPECT_EQ(outcome.kind, 0) << outcome.words;
+    EXPECT_GT(outcome.surface->GetNumberOfPolys(), 500) << name;
   }
 }
 
