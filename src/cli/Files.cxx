@@ -1,0 +1,189 @@
+#include "Files.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkSurfaceFileReader.h>
+#include <vtkSurfaceFileWriter.h>
+#include <vtkVertexDataReader.h>
+#include <vtkVertexDataWriter.h>
+#include <vtkVolumeFileReader.h>
+
+#include "Core/base/Error.h"
+#include "Formats/AtomicFile.h"
+#include "Reports/Table.h"
+
+namespace authalic::cli {
+namespace {
+
+const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras"};
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool isDataFile(const std::string& path) {
+  for (const char* ending : {".func.gii", ".shape.gii", ".label.gii", ".txt", ".curv", ".thickness", ".sulc"}) {
+    if (endsWith(path, ending)) return true;
+  }
+  return false;
+}
+
+template <class Writer>
+void write(Writer* writer, const std::string& path, vtkPolyData* surface) {
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(surface);
+  runAlgorithm(writer, [writer] { writer->Write(); }, [writer] { return writer->GetErrorKind(); });
+}
+
+}  // namespace
+
+void SpaceOption::declare(CLI::App* verb) {
+  verb->add_option("--space", name,
+                   "Space of the surface's coordinates: what the file states, or stated by you: " + oneOf(spaces) +
+                       ". tkras needs the volume geometry in the file.")
+      ->type_name("SPACE")
+      ->capture_default_str();
+}
+
+vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space) {
+  vtkNew<vtkSurfaceFileReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetAssumeSpace(choice("--space", space.name, spaces));
+  update(reader.Get(), session);
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session) {
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  updateAlgorithm(reader, session, [&reader] { return reader->GetErrorKind(); });
+  return reader->GetOutput();
+}
+
+std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::string& path, const std::string& arrayName,
+                          const Session& session) {
+  vtkNew<vtkVertexDataReader> reader;
+  reader->SetInputData(surface);
+  reader->SetFileName(path.c_str());
+  if (!arrayName.empty()) reader->SetArrayName(arrayName.c_str());
+  update(reader.Get(), session);
+  const int before = surface->GetPointData()->GetNumberOfArrays();
+  surface = reader->GetOutput();
+  vtkPointData* data = surface->GetPointData();
+  if (!arrayName.empty() && data->HasArray(arrayName.c_str())) return arrayName;
+  return data->GetArrayName(std::min(before, data->GetNumberOfArrays() - 1));
+}
+
+std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& arrayOrFile, const Session& session) {
+  if (surface->GetPointData()->HasArray(arrayOrFile.c_str()) || surface->GetCellData()->HasArray(arrayOrFile.c_str())) {
+    return arrayOrFile;
+  }
+  return addVertexData(surface, arrayOrFile, "", session);
+}
+
+void writeSurface(const std::string& path, vtkPolyData* surface) {
+  vtkNew<vtkSurfaceFileWriter> writer;
+  write(writer.Get(), path, surface);
+}
+
+void writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays) {
+  if (!isDataFile(path)) return writeSurface(path, surface);
+  vtkNew<vtkVertexDataWriter> writer;
+  for (const std::string& array : arrays) writer->AddArrayName(array.c_str());
+  write(writer.Get(), path, surface);
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  try {
+    writeFileAtomically(path, text);
+  } catch (const Error& e) {
+    throw Failure(FileProblem, e.what());
+  }
+}
+
+void writeJson(const std::string& path, const OrderedJson& json) {
+  if (!path.empty()) writeText(path, json.dump(2) + "\n");
+}
+
+std::string textField(vtkDataObject* object, const char* name) {
+  auto* array = vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray(name));
+  return array && array->GetNumberOfValues() > 0 ? array->GetValue(0) : std::string();
+}
+
+std::optional<double> numberField(vtkDataObject* object, const char* name) {
+  vtkDataArray* array = object->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfTuples() == 0) return std::nullopt;
+  return array->GetComponent(0, 0);
+}
+
+OrderedJson fieldsAsJson(vtkDataObject* object) {
+  OrderedJson result = OrderedJson::object();
+  vtkFieldData* fields = object->GetFieldData();
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i) {
+    vtkAbstractArray* array = fields->GetAbstractArray(i);
+    OrderedJson values = OrderedJson::array();
+    for (vtkIdType v = 0; v < array->GetNumberOfValues(); ++v) {
+      const vtkVariant value = array->GetVariantValue(v);
+      if (value.IsString()) values.push_back(std::string(value.ToString()));
+      else if (value.IsFloat() || value.IsDouble()) values.push_back(value.ToDouble());
+      else values.push_back(value.ToLongLong());
+    }
+    std::string key;
+    for (const char c : std::string(array->GetName() ? array->GetName() : "field")) {
+      if (std::isupper(static_cast<unsigned char>(c)) && !key.empty() &&
+          std::islower(static_cast<unsigned char>(key.back()))) {
+        key += '_';
+      }
+      key += c;
+    }
+    result[snakeCase(key)] = values.size() == 1 ? values[0] : values;
+  }
+  return result;
+}
+
+void requireScannerSpace(vtkDataObject* object, const std::string& path, const std::string& remedy) {
+  if (textField(object, "CoordinateSpace") == "scanner-ras") return;
+  const std::string reason = textField(object, "CoordinateSpaceReason");
+  throw Failure(UsageProblem, path + ": coordinates in scanner RAS are required, but their space is unknown" +
+                                  (reason.empty() ? "" : " (" + reason + ")") + "; " + remedy);
+}
+
+std::vector<std::vector<double>> readNumbers(const std::string& path) {
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure(FileProblem, path + ": a text file of numbers is required; it cannot be read.");
+  }
+  std::vector<std::vector<double>> rows;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<double> row;
+    for (std::string word; words >> word;) {
+      std::size_t used = 0;
+      try {
+        row.push_back(std::stod(word, &used));
+      } catch (const std::exception&) {
+        used = 0;
+      }
+      if (used != word.size()) {
+        throw Failure(FileProblem, path + ": line " + std::to_string(number) + " has '" + word + "', which is no number.");
+      }
+    }
+    if (!row.empty()) rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace authalic::cli

@@ -1,0 +1,58 @@
+/// @file
+/// Files in and out, through the readers and writers of IOSurface; failures carry their exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <vtkSmartPointer.h>
+
+#include "Pipeline.h"
+
+class vtkDataObject;
+class vtkImageData;
+class vtkPolyData;
+
+namespace authalic::cli {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The option --space and what it was given.
+struct SpaceOption {
+  std::string name = "stated";
+  void declare(CLI::App* verb);
+};
+
+/// @throws Failure
+vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space);
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session);
+
+/// Adds the per-vertex data of a file; returns the name of the (first) array it became.
+std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::string& path, const std::string& arrayName,
+                          const Session& session);
+/// `arrayOrFile` is the name of a point or cell array that is there, or a file to add.
+std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& arrayOrFile, const Session& session);
+
+/// Point arrays as a file of per-vertex data when its ending says so, else the whole surface.
+void writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays);
+void writeSurface(const std::string& path, vtkPolyData* surface);
+void writeText(const std::string& path, const std::string& text);
+/// Indented, with a line break at the end; nothing when `path` is empty.
+void writeJson(const std::string& path, const OrderedJson& json);
+
+/// Value of a text field of the data object, or empty.
+[[nodiscard]] std::string textField(vtkDataObject* object, const char* name);
+/// The number of a field of the data object.
+[[nodiscard]] std::optional<double> numberField(vtkDataObject* object, const char* name);
+/// Every field array of the data object, names in snake_case.
+[[nodiscard]] OrderedJson fieldsAsJson(vtkDataObject* object);
+
+/// Throws a usage failure unless the surface is in scanner RAS.
+void requireScannerSpace(vtkDataObject* object, const std::string& path, const std::string& remedy);
+
+/// Rows of numbers of a text file; # starts a comment.
+[[nodiscard]] std::vector<std::vector<double>> readNumbers(const std::string& path);
+
+}  // namespace authalic::cli
