@@ -24,7 +24,7 @@ struct DiscreteLieFlowOptions {
   PlanarDomain domain;        ///< unit disk; must be the domain of the initial map
   double tolerance = 5e-3;    ///< stop when the residual falls below it, > 0
   int maxIterations = 60;     ///< steps of the flow, ≥ 0
-  double flowTolerance = 0.5; ///< hand over to Match when the flow's own residual falls below it, > 0; also
+  double flowTolerance = 0.05;///< hand over to Match when the flow's own residual falls below it, > 0; also
                               ///< when mean |ln r| ≤ 0.6 and 5 steps lower neither error by 15 %
   double stepRatio = 0.6;     ///< μ of the adaptive step, in (0, 1)
   double fixedStep = 0;       ///< > 0: this step instead of the adaptive one (may collapse the mesh)

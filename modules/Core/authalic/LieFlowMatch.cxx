@@ -11,7 +11,10 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestRatio = 0.02;
+constexpr double kSmallestRatio = 0.02;  // of face areas, in the weights
+// The faces nearly determine the map: with less damping the last face-scale errors are bought with long slides along
+// the curves of equal area, away from the gradient flow.
+constexpr double kSmallestDamping = 0.01;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -189,6 +192,7 @@ void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const Targ
     }
     failures = now.step > 0 ? 0 : failures + 1;
     damping *= now.step == 0 ? 10 : now.step > 0.7 ? 0.25 : now.step < 0.2 ? 4 : 1;
+    damping = std::max(damping, kSmallestDamping);
     result.history.push_back(now);
   }
 }
