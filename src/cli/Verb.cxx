@@ -45,12 +45,12 @@ class Page : public CLI::Formatter {
     std::ostringstream out;
     out << "authalic " << help_.name << (help_.name.empty() ? "" : " ") << "- " << help_.summary << "\n\nSYNOPSIS\n\n"
         << wrapped("authalic " + help_.synopsis, 4) << "\nDESCRIPTION\n\n" << wrapped(help_.description, 4);
-    out << section("VERBS", verbs(app)) << make_positionals(app) << make_groups(app, CLI::AppFormatMode::Normal);
+    out << section("VERBS", verbs(app)) << make_positionals(app) << compact(make_groups(app, CLI::AppFormatMode::Normal), "\n\n\n");
     if (!help_.examples.empty()) out << "\nEXAMPLES\n";
     for (const std::string& example : help_.examples) out << "\n" << indented(example);
     std::string references;
     for (const std::string& reference : help_.references) references += (references.empty() ? "" : "\n") + reference + "\n";
-    out << section("REFERENCES", references) << section("EXIT CODES", compact(exitCodes));
+    out << section("REFERENCES", references) << section("EXIT CODES", compact(exitCodes, "\n\n"));
     return out.str();
   }
 
@@ -64,7 +64,8 @@ class Page : public CLI::Formatter {
   std::string make_option(const CLI::Option* option, bool positional) const override {
     std::string line = positional ? option->get_name(true, false) : option->get_name(false, true);
     std::replace(line.begin(), line.end(), ',', ' ');
-    if (!positional && option->get_type_size() != 0) line += " " + option->get_type_name();
+    const std::string type = option->get_type_name();  // "N:INT in [0 - 1024]": what checks add is not for readers
+    if (!positional && option->get_type_size() != 0) line += " " + type.substr(0, type.find(':'));
     std::string text = option->get_description();
     if (!option->get_default_str().empty()) text += " (default: " + option->get_default_str() + ")";
     if (option->get_required() && !positional) text += " (required)";
@@ -75,8 +76,9 @@ class Page : public CLI::Formatter {
   static std::string section(const std::string& title, const std::string& text) {
     return text.empty() ? std::string() : "\n" + title + "\n\n" + wrapped(text, 4);
   }
-  static std::string compact(std::string text) {
-    for (std::size_t at = text.find("\n\n"); at != std::string::npos; at = text.find("\n\n", at)) text.erase(at, 1);
+  /// Takes one line break out of every run that `breaks` spells.
+  static std::string compact(std::string text, const std::string& breaks) {
+    for (std::size_t at = text.find(breaks); at != std::string::npos; at = text.find(breaks, at)) text.erase(at, 1);
     return text;
   }
   static std::string indented(const std::string& example) {

@@ -1,0 +1,208 @@
+#!/usr/bin/python3
+"""The command line from outside: exit codes, one line per failure, nothing partial, same bytes at any thread count.
+
+    test_cli.py --authalic PROGRAM --fixtures FOLDER --data FOLDER
+
+Tests of meshes that are not in the repository skip where --data has none.
+"""
+import argparse
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+ARGUMENTS = None
+
+
+def grid(path, n=24, height=0.3):
+    """A bumpy sheet of n by n squares as OFF."""
+    points = [(x / n, y / n, height * ((x * 7 + y * 3) % 5) / n) for y in range(n + 1) for x in range(n + 1)]
+    faces = []
+    for y in range(n):
+        for x in range(n):
+            a = y * (n + 1) + x
+            faces += [(a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1)]
+    lines = ["OFF", f"{len(points)} {len(faces)} 0"]
+    lines += [" ".join(repr(c) for c in p) for p in points] + [f"3 {f[0]} {f[1]} {f[2]}" for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.here = pathlib.Path(self.folder.name)
+        self.sheet = grid(self.here / "sheet.off")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def run_verb(self, *words):
+        return subprocess.run([ARGUMENTS.authalic, *map(str, words)], capture_output=True, text=True, cwd=self.here,
+                              timeout=240)
+
+    def fails(self, code, *words):
+        before = set(self.here.iterdir())
+        result = self.run_verb(*words)
+        self.assertEqual(result.returncode, code, result.stderr)
+        lines = [line for line in result.stderr.splitlines() if line]
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("authalic: "), lines[0])
+        self.assertEqual(set(self.here.iterdir()), before, "something was left behind")
+        return lines[0]
+
+    def succeeds(self, *words):
+        result = self.run_verb(*words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+
+class Help(CommandLine):
+    def test_every_verb_has_a_page_with_examples_and_exit_codes(self):
+        for verb in ("info", "map", "cut", "extract", "sample", "elements", "convert"):
+            page = self.succeeds(verb, "--help")
+            for section in ("SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "OPTIONS", "EXAMPLES", "EXIT CODES"):
+                self.assertIn(section, page, verb)
+
+    def test_defaults_are_shown(self):
+        self.assertRegex(self.succeeds("map", "--help"), r"--tolerance X\n(?: {8}.*\n)*? {8}.*\(default: [\d.e-]+\)")
+
+
+class Usage(CommandLine):
+    def test_wrong_use_is_2(self):
+        self.fails(2)
+        self.fails(2, "fold", "x")
+        self.fails(2, "map", "tutte")
+        self.assertIn("lie-flow", self.fails(2, "map", "slim", self.sheet, "-o", "m.vtp"))
+        self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "sphere")
+        self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "rectangle:wide")
+        self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--tolerance", "1")
+        self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", "--step-ratio", "3")
+        self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", "--threads", "-2")
+
+    def test_a_region_that_is_not_there_is_2_or_5(self):
+        self.assertIn("MedialWall", self.fails(2, "cut", self.sheet, "-o", "d.vtp"))
+        self.fails(5, "cut", self.sheet, "-o", "d.vtp", "--region", "missing.label")
+
+    def test_sampling_a_surface_of_unknown_space_is_2(self):
+        volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
+        self.assertIn("--space", self.fails(2, "sample", volume, self.sheet, "-o", "s.vtp"))
+
+
+class Files(CommandLine):
+    def test_missing_folder_empty_and_truncated_files_are_5(self):
+        empty = self.here / "empty.vtp"
+        empty.write_bytes(b"")
+        truncated = self.here / "cut.off"
+        truncated.write_text(self.sheet.read_text()[:4000])
+        junk = self.here / "junk.gii"
+        junk.write_bytes(bytes(range(256)) * 20)
+        for path in ("missing.off", self.here, empty, truncated, junk, "/dev/null"):
+            self.fails(5, "info", path)
+            self.fails(5, "map", "tutte", path, "-o", "m.vtp")
+        self.fails(5, "extract", junk, "-o", "surfaces")
+        self.fails(5, "extract", self.sheet, "-o", "surfaces")
+
+    def test_a_target_that_cannot_be_written_is_5(self):
+        self.fails(5, "map", "tutte", self.sheet, "-o", "no/such/folder/m.vtp")
+
+    def test_numbers_that_are_none_are_5(self):
+        (self.here / "corners.txt").write_text("0 0\n1 zero\n0 1\n")
+        self.assertIn("zero", self.fails(5, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "polygon:corners.txt"))
+
+
+class Surfaces(CommandLine):
+    def test_not_a_number_is_3(self):
+        broken = self.here / "nan.off"
+        broken.write_text(self.sheet.read_text().replace("0.0 0.0 0.0", "nan 0.0 0.0", 1))
+        self.fails(3, "map", "tutte", broken, "-o", "m.vtp")
+
+    def test_a_closed_surface_is_3(self):
+        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
+        self.assertIn("boundary loop", self.fails(3, "map", "lie-flow", torus, "-o", "m.vtp"))
+
+    def test_bad_meshes_are_3_for_a_map_and_described_by_info(self):
+        bad = pathlib.Path(ARGUMENTS.data) / "meshes" / "bad"
+        if not bad.is_dir():
+            self.skipTest(f"{bad} is not there")
+        for path in sorted(bad.iterdir()):
+            self.fails(3, "map", "harmonic", path, "-o", "m.vtp")
+            self.assertIn("Euler number", self.succeeds("info", path))
+
+
+class Results(CommandLine):
+    def test_info_counts(self):
+        out = self.succeeds("info", self.sheet, "--json", "i.json")
+        self.assertIn("vertices           625", out)
+        report = json.loads((self.here / "i.json").read_text())
+        self.assertEqual(report["space"], "unknown")
+        self.assertIn("625", json.dumps(report))
+
+    def test_a_map_has_its_arrays_and_report(self):
+        self.succeeds("map", "mean-value", self.sheet, "-o", "m.vtp", "--report", "r.json", "--domain", "square")
+        text = (self.here / "m.vtp").read_bytes()
+        for name in (b"OriginalPoints", b"AreaDistortion", b"AngleDistortion", b"Flipped"):
+            self.assertIn(name, text)
+        report = json.loads((self.here / "r.json").read_text())
+        self.assertEqual(report["status"], "converged")
+        for member in ("iterations", "residual_history", "seconds", "metrics", "flips", "topology", "options", "version"):
+            self.assertIn(member, report)
+
+    def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
+        words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1", "--quiet"]
+        result = self.run_verb(*words)
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertTrue((self.here / "m.vtp").exists())
+        self.succeeds(*words, "--allow-nonconverged")
+
+    def test_same_bytes_in_two_runs_and_at_any_thread_count(self):
+        for name, threads in (("a", 1), ("b", 2), ("c", 2)):
+            self.succeeds("map", "lie-flow", self.sheet, "-o", f"{name}.vtp", "--threads", threads, "--allow-nonconverged", "-q")
+            self.succeeds("elements", f"{name}.vtp", "-o", f"{name}.tsv", "--threads", threads)
+        self.assertEqual((self.here / "a.tsv").read_bytes(), (self.here / "b.tsv").read_bytes())
+        self.assertEqual((self.here / "b.tsv").read_bytes(), (self.here / "c.tsv").read_bytes())
+        self.assertEqual(sorted(p.name for p in self.here.glob("?.json")), ["a.json", "b.json", "c.json"])
+
+    def test_cut_map_sample_elements_in_a_chain(self):
+        volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
+        self.succeeds("cut", self.sheet, "-o", "d.vtp", "--plane", "0.5", "0.5", "0", "1", "0", "0", "--smoothing", "0")
+        self.succeeds("map", "lie-flow", "d.vtp", "-o", "m.vtp", "--allow-nonconverged", "-q")
+        self.succeeds("sample", volume, "m.vtp", "-o", "s.vtp", "--space", "scanner-ras", "--name", "T1")
+        self.succeeds("elements", "s.vtp", "-o", "e.tsv", "--elements", "16", "--hemi", "L", "--json", "g.json")
+        header, *rows = (self.here / "e.tsv").read_text().splitlines()
+        self.assertIn("t1_mean", header.split("\t"))
+        self.assertGreater(len(rows), 8)
+        self.assertTrue((self.here / "e.json").exists())
+
+    def test_convert_keeps_coordinates_to_the_bit_through_off(self):
+        self.succeeds("convert", self.sheet, "s.vtp")
+        self.succeeds("convert", "s.vtp", "t.off")
+        numbers = lambda path: [float(word) for word in path.read_text().split()[4:]]
+        self.assertEqual(numbers(self.sheet), numbers(self.here / "t.off"))
+
+
+class Signals(CommandLine):
+    def test_an_interrupt_is_130_and_leaves_nothing(self):
+        big = grid(self.here / "big.off", 220)
+        process = subprocess.Popen([ARGUMENTS.authalic, "map", "lie-flow", str(big), "-o", "m.vtp", "--tolerance", "1e-14"],
+                                   cwd=self.here, stderr=subprocess.PIPE, text=True)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        words = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, 130, words)
+        self.assertFalse((self.here / "m.vtp").exists())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    for option in ("--authalic", "--fixtures", "--data"):
+        parser.add_argument(option, required=True)
+    ARGUMENTS, rest = parser.parse_known_args()
+    ARGUMENTS.authalic = os.path.abspath(ARGUMENTS.authalic)
+    ARGUMENTS.fixtures = os.path.abspath(ARGUMENTS.fixtures)
+    ARGUMENTS.data = os.path.abspath(ARGUMENTS.data)
+    unittest.main(argv=["test_cli.py", *rest], verbosity=2)
