@@ -185,6 +185,21 @@ TEST(Gifti, LabelsKeepIdsNamesAndColours) {
   EXPECT_EQ(back.regions[2].rgba, annotation.regions[1].rgba);
 }
 
+TEST(Gifti, ReadsTheOldLabelTableAndRefusesSparseData) {
+  const TemporaryFolder folder;
+  const std::string array = "<DataArray Intent=\"NIFTI_INTENT_LABEL\" " + attributes("INT32", kTwo, "ASCII") +
+                            "><Data>0 4</Data></DataArray>";
+  std::ofstream(folder / "a.label.gii") << "<GIFTI><LabelTable><Label Index=\"4\">four</Label></LabelTable>" << array
+                                        << "</GIFTI>";
+  const Annotation annotation = readAnnot(folder / "a.label.gii");
+  EXPECT_EQ(annotation.regions[0].id, 4);
+  EXPECT_EQ(annotation.regions[0].name, "four");
+  EXPECT_EQ(annotation.labels, (std::vector<std::int32_t>{0, 4}));
+  std::ofstream(folder / "b.func.gii") << "<GIFTI><DataArray Intent=\"NIFTI_INTENT_NODE_INDEX\" " +
+                                              attributes("INT32", kTwo, "ASCII") + "><Data>0 4</Data></DataArray></GIFTI>";
+  EXPECT_THROW(static_cast<void>(readVertexScalars(folder / "b.func.gii")), FormatError);
+}
+
 TEST(AtomicFile, LeavesTheOldFileAloneUntilCommitted) {
   const TemporaryFolder folder;
   const std::string path = folder / "a.txt";

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 
 #include "Core/base/Error.h"
@@ -169,6 +170,22 @@ TEST(SurfaceFile, FollowsUnknownTagsAndKeepsGeometryWhenTheyLeadNowhere) {
   std::ofstream(folder / "b", std::ios::binary) << whole << std::string("\0\0\0\3\0\0\0\0\0\0\0\4abc\0", 16)
                                                 << std::string("\0\0\0\x21\x7F\0\0\0\0\0\0\4", 12);
   EXPECT_EQ(readSurface(folder / "b").space, CoordinateSpace::TkRAS);
+}
+
+TEST(SurfaceFile, GzipIsUndoneWhateverTheKind) {
+  const TemporaryFolder folder;
+  const SurfaceFile original = sphere();
+  writeFreeSurferSurface(folder / "lh.white", original);
+  writeOff(folder / "s.off", original);
+  ASSERT_EQ(std::system(("gzip " + (folder / "lh.white") + " " + (folder / "s.off")).c_str()), 0);
+  EXPECT_EQ(readSurface(folder / "lh.white.gz").faces, original.faces);
+  EXPECT_EQ(readSurface(folder / "s.off.gz").points, original.points);
+}
+
+TEST(SurfaceFile, OffWithNormalsKeepsItsCoordinates) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "n.off") << "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n";
+  EXPECT_EQ(readSurface(folder / "n.off").points, (std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
 }
 
 TEST(SurfaceFile, OffAcceptsCommentsColoursAndPolygons) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -185,6 +186,21 @@ TEST(VolumeFile, RefusesFramesThatAreNotThereAndPairsWithoutImage) {
   EXPECT_THROW(static_cast<void>(readVolume(sharedData("volumes/edge/nifti1.hdr"))), FormatError);
   EXPECT_THROW(static_cast<void>(readVolume(sharedData("volumes/edge/analyze.hdr"))), FormatError);
   EXPECT_THROW(static_cast<void>(readVolume(sharedData("volumes/edge/example_rgb.nii.gz"))), FormatError);
+}
+
+TEST(VolumeFile, PairsAreFoundFromEitherNameGzippedOrNot) {
+  const std::string header = sharedData("volumes/edge/ras.hdr");
+  AUTHALIC_NEEDS(header);
+  const TemporaryFolder folder;
+  for (const char* end : {".hdr", ".img"}) {
+    std::filesystem::copy_file(sharedData(std::string("volumes/edge/ras") + end), folder / (std::string("a") + end));
+  }
+  const auto expected = readVolume(folder / "a.hdr").scalars().values;
+  EXPECT_EQ(readVolume(folder / "a.img").scalars().values, expected);
+  ASSERT_EQ(std::system(("gzip " + (folder / "a.img")).c_str()), 0);
+  EXPECT_EQ(readVolume(folder / "a.hdr").scalars().values, expected);
+  ASSERT_EQ(std::system(("gzip " + (folder / "a.hdr")).c_str()), 0);
+  EXPECT_EQ(readVolume(folder / "a.img.gz").scalars().values, expected);
 }
 
 TEST(VolumeFile, BigAndLittleEndianTwinsAreEqual) {
