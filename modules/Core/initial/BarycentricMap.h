@@ -55,7 +55,7 @@ struct BarycentricMapResult {
 /// patch whose boundary is given to itself all but Uniform reproduce the identity.
 ///
 /// Complexity: one sparse factorisation, O(n^1.5); MeanValue is not symmetric and is solved by GMRES with the
-/// factorised symmetric part as preconditioner, to 1e-14.
+/// factorised symmetric part as preconditioner, to 1e-14 of the image.
 /// @throws InvalidArgument, TopologyError, GeometryError from the boundary (see placeBoundary)
 /// @throws SolverError when the system cannot be factorised
 /// @throws CancelledError when the caller stops before the solve

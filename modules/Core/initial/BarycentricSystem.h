@@ -17,7 +17,7 @@ void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const 
                       SolverBackend backend, Points2& image);
 
 /// The same with different weights each way @cite floater2003, solved by GMRES on both coordinates with the factorised
-/// symmetric part as preconditioner, to 1e-14 of the first residual; by sparse LU where that stalls.
+/// symmetric part as preconditioner, to 1e-14 of the solution; by sparse LU where that stalls.
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
                       SolverBackend backend, Points2& image);
 
