@@ -168,7 +168,8 @@ BrainFrame findBrainFrame(const ScalarVolume& t1, const MaskVolume& mask, const 
   BrainFrame frame;
   frame.asymmetry = asymmetry(brain, plane, centre);
   execution.throwIfCancelled();
-  plane = search(plane, 1.0, 0.02, [&](const Plane& p) { return brightness(brain, p, centre); });
+  plane = search(plane, 1.0, 0.02,
+                 [&](const Plane& p) { return brightness(brain, p, centre) + asymmetry(brain, p, centre); });
 
   Eigen::Matrix3d axes;
   axes.row(0) = normalOf(plane).transpose();

@@ -115,15 +115,30 @@ std::array<int, 3> deepest(const VolumeOf<std::int16_t>& priority) {
   return {static_cast<int>(at % nx), static_cast<int>(at / nx % ny), static_cast<int>(at / (nx * ny))};
 }
 
-// The contrast where its sign is that of the grown set, else the blurred set; never nearer to 0 than 0.02.
+// 1 where a voxel is foreign or touches, by a face, one that is.
+MaskVolume besideForeign(const MaskVolume& foreign) {
+  MaskVolume out = foreign;
+  const auto& n = foreign.dimensions;
+  const std::array<std::ptrdiff_t, 3> step{1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1]};
+  for (std::ptrdiff_t v = step[2]; v < static_cast<std::ptrdiff_t>(foreign.size()) - step[2]; ++v) {
+    if (!foreign.values[static_cast<std::size_t>(v)]) continue;
+    for (const std::ptrdiff_t s : step)
+      out.values[static_cast<std::size_t>(v + s)] = out.values[static_cast<std::size_t>(v - s)] = 1;
+  }
+  return out;
+}
+
+// The contrast where its sign is that of the grown set and no cut is near, else the blurred set; never nearer
+// to 0 than 0.02.
 ScalarVolume surfaceField(const Hemisphere& h, const MaskVolume& grown, const Execution& execution) {
   ScalarVolume field(grown.dimensions, grown.voxelToWorld);
   for (std::size_t v = 0; v < field.size(); ++v) field.values[v] = grown.values[v] ? 0.5f : -0.5f;
   field = gaussianBlur(std::move(field), voxelSpacing(grown.voxelToWorld).mean(), execution);
+  const MaskVolume cut = besideForeign(h.foreign);
   for (std::size_t v = 0; v < field.size(); ++v) {
     const bool inside = grown.values[v] != 0;
     const float natural = h.contrast.values[v];
-    const float value = (natural > 0) == inside ? natural : field.values[v];
+    const float value = (natural > 0) == inside && !cut.values[v] ? natural : field.values[v];
     field.values[v] = inside ? std::clamp(value, 0.02f, 0.5f) : std::clamp(value, -0.5f, -0.02f);
   }
   return field;
@@ -158,7 +173,9 @@ HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const Co
     out.mesh = smoothSurface(out.mesh, {kRounds, options.smoothing.passBand, true}, execution).mesh;
   }
   watch.lap(name + "decimation");
-  out.medialWall = findMedialWall(out.mesh, h.wall, options.medialWallReach, execution);
+  out.medialWall = findMedialWall(
+      out.mesh, h.wall,
+      std::max(options.medialWallReach, 1.05 * voxelSpacing(h.wall.voxelToWorld).maxCoeff()), execution);
   watch.lap(name + "medial wall");
   out.eulerCharacteristic = SurfaceTopology(out.mesh.faces(), out.mesh.vertexCount()).eulerCharacteristic();
   out.area = faceAreas(out.mesh).sum();

@@ -18,10 +18,10 @@ struct CorticalSurfaceOptions {
   WhiteMatterOptions whiteMatter;
   double sealing =
       1.0;  ///< tunnels through white matter up to about twice this many voxels wide are sealed, 0…5
-  SmoothingOptions smoothing;  ///< of each surface
-  int targetFaces = 280000;    ///< faces per hemisphere after decimation; 0 = no decimation
-  double medialWallReach =
-      1.5;  ///< mm from a cut or filled voxel at which a vertex belongs to the medial wall
+  SmoothingOptions smoothing;    ///< of each surface
+  int targetFaces = 280000;      ///< faces per hemisphere after decimation; 0 = no decimation
+  double medialWallReach = 1.5;  ///< mm from a cut or filled voxel within which a vertex belongs to the
+                                 ///< medial wall; at least one voxel
 
   /// @throws InvalidArgument naming the first field out of range
   void validate() const;

@@ -35,7 +35,9 @@ Histogram makeHistogram(std::vector<float> sample) {
                         std::to_string(sample.size()) + " brain voxels have the value " +
                         std::to_string(high) + "; give a T1-weighted image.");
   }
-  h.width = (high - h.low) / kBins;
+  const double margin = 0.05 * (high - h.low);  // so that a peak at either end is still a local maximum
+  h.width = (high - h.low + 2 * margin) / kBins;
+  h.low -= margin;
   for (const float value : sample) {
     const int bin = static_cast<int>(std::floor((value - h.low) / h.width));
     if (bin >= 0 && bin < kBins) h.counts[static_cast<std::size_t>(bin)] += 1;
@@ -58,10 +60,10 @@ void smooth(std::vector<double>& counts, double sigma) {
   }
 }
 
-// Local maxima of at least a quarter of the highest, far enough apart, highest first.
+// Local maxima of at least a tenth of the highest, far enough apart, highest first.
 std::vector<int> majorPeaks(const std::vector<double>& counts) {
   std::vector<int> peaks;
-  const double least = 0.25 * *std::max_element(counts.begin(), counts.end());
+  const double least = 0.1 * *std::max_element(counts.begin(), counts.end());
   for (int b = 1; b + 1 < kBins; ++b) {
     const auto i = static_cast<std::size_t>(b);
     if (counts[i] >= least && counts[i] > counts[i - 1] && counts[i] >= counts[i + 1]) peaks.push_back(b);

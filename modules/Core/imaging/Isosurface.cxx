@@ -78,7 +78,7 @@ class Extraction {
     const double a = field_.values[v], b = field_.values[v + step];
     const double t = a - b != 0 ? a / (a - b) : 0.5;
     Eigen::Vector3d p(i, j, k);
-    p[axis] += t > 0.05 ? std::min(t, 0.95) : 0.05;
+    p[axis] += t > 0.01 ? std::min(t, 0.99) : 0.01;
     return addVertex(p);
   }
 

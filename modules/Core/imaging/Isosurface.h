@@ -11,7 +11,7 @@ namespace authalic {
 /// Surface between the voxels with value > 0 (inside) and the others.
 ///
 /// Vertices lie on the lattice edges whose ends differ in side, at the zero of the linear interpolant
-/// t = f0 / (f0 − f1), clamped to [0.05, 0.95] so that no two vertices coincide, and mapped to mm by
+/// t = f0 / (f0 − f1), clamped to [0.01, 0.99] so that no two vertices coincide, and mapped to mm by
 /// `voxelToWorld`.
 ///
 /// Guarantees: a closed manifold whose components, handles and cavities are those of the object under the
