@@ -53,6 +53,9 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /** Asks every input for all of it: volumes of different sizes may meet in one filter. */
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
   /** The work of the filter; may throw. */
   virtual void Compute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, const authalic::Execution& execution) = 0;

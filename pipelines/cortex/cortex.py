@@ -25,6 +25,8 @@ from render import Display
 from stages import StageError, Stages
 
 
+FAST_FACES = 80000  # triangles per hemisphere with --fast
+
 
 def read_volume(path, name, stages):
     reader = authalic.vtkVolumeFileReader()
@@ -33,9 +35,11 @@ def read_volume(path, name, stages):
     return reader
 
 
-def extract(t1, labels):
+def extract(t1, labels, options):
     """The white surfaces: output port 0 is the left hemisphere, 1 the right."""
     surfaces = authalic.vtkCorticalSurface()
+    if options.faces or options.fast:
+        surfaces.SetTargetFaces(options.faces or FAST_FACES)
     surfaces.SetInputConnection(0, t1.GetOutputPort())
     if labels is not None:
         surfaces.SetInputConnection(1, labels.GetOutputPort())
@@ -151,7 +155,7 @@ def surfaces(volumes, options, stages):
     """{side: (filter, output port) of the white surface}."""
     if options.surface:
         return given.surface(options, stages)
-    extraction = extract(volumes["T1"], volumes["labels"])
+    extraction = extract(volumes["T1"], volumes["labels"], options)
     stages.run("white surfaces of both hemispheres", extraction)
     return {side: (extraction, port) for port, side in enumerate(SIDES)}
 

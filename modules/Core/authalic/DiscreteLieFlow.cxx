@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 
+#include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/LieFlowStages.h"
 #include "Core/authalic/Unfold.h"
 #include "Core/base/Error.h"
@@ -51,6 +52,18 @@ Points2 startingImage(const DiskMesh& disk, const BoundaryPlacement& placement, 
   return unfolded.image;
 }
 
+// Whether some vertex star has less than e⁻⁸ or more than e⁸ of its share.
+bool farFromTarget(const DiskMesh& disk, const TargetMeasure& target, const Points2& image) {
+  const Faces& faces = disk.mesh().faces();
+  const Eigen::VectorXd stars = vertexStars(signedFaceAreas(image, faces), faces, disk.mesh().vertexCount());
+  const double scale = target.vertices().sum() / stars.sum();
+  for (Eigen::Index v = 0; v < stars.size(); ++v) {
+    const double share = target.vertices()[v];
+    if (share > 0 && std::abs(std::log(std::max(stars[v] * scale / share, 1e-300))) > 8) return true;
+  }
+  return false;
+}
+
 void measureResult(const DiskMesh& disk, const TargetMeasure& target, double tolerance, DiscreteLieFlowResult& result) {
   const Faces& faces = disk.mesh().faces();
   const Eigen::VectorXd stars = vertexStars(signedFaceAreas(result.image, faces), faces, disk.mesh().vertexCount());
@@ -82,10 +95,12 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
   const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, initial);
   DiscreteLieFlowResult result;
   result.image = startingImage(disk, placement, initial, execution);
-  const SlidingBoundary sliding(placement, options.domain, result.image);
-
   Stopwatch watch;
-  flowWithFlips(disk, placement, sliding, target, options, execution.part(0, 0.6), result);
+  if (options.finish == LieFlowFinish::Match && placement.pockets.empty() && farFromTarget(disk, target, result.image)) {
+    result.image = balancedStart(disk, result.image, target, options.solver, execution.part(0, 0.3));
+  }
+  const SlidingBoundary sliding(placement, options.domain, result.image);
+  flowWithFlips(disk, placement, sliding, target, options, execution.part(0.3, 0.6), result);
   result.flowSeconds = watch.lap();
   result.flippedBeforeFinish = countFlippedFaces(result.image, disk.mesh().faces());
   if (options.finish != LieFlowFinish::None) {

@@ -11,10 +11,11 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestRatio = 0.02;  // of face areas, in the weights
+constexpr double kSmallestRatio = 1e-3;  // of face areas, in the weights
 // The faces nearly determine the map: with less damping the last face-scale errors are bought with long slides along
 // the curves of equal area, away from the gradient flow.
 constexpr double kSmallestDamping = 0.01;
+constexpr double kPinned = 0.25;  // of the step: faces that collapse before twice this are slowed by themselves
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -80,12 +81,12 @@ class AreaSystem {
     solver_.analyze(assembly_.matrix());
   }
 
-  // E = Σ (a_t − S m_t)² / (S m_t) with S = Σ a, divided by S; infinite when a face is folded.
+  // E = Σ m_t (r_t + 1/r_t) − 2 with r = a / (S m), S = Σ a: infinite when a face is folded, growing as one collapses.
   [[nodiscard]] double energy(const Points2& image) const {
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
     if (!(areas.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-    return ((areas / total - target_).array().square() * weight_.array()).sum() * total;
+    return ((areas / total - target_).array().square() / (areas / total).array()).sum();
   }
 
   void linearise(const Points2& image) {
@@ -93,7 +94,9 @@ class AreaSystem {
     gradients_.resize(faces_.rows(), 6);
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
-    weight_ = (target_.array() * total * (areas.array() / (target_.array() * total)).max(kSmallestRatio).min(1)).inverse();
+    const Eigen::ArrayXd ratio = (areas.array() / (target_.array() * total).max(1e-300)).max(kSmallestRatio);
+    weight_ = (1 + ratio) / (2 * ratio.square() * target_.array() * total);
+    measureShapes(image, areas);
     right_ = Eigen::VectorXd::Zero(displacements_.count());
     for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
       for (int k = 0; k < 3; ++k) {
@@ -128,6 +131,18 @@ class AreaSystem {
     return direction(v, d).dot(direction(w, e));
   }
 
+  // Cotangents of the corners of the image: the damping is ε Σ a_t |∇δ|², which thin triangles feel most.
+  void measureShapes(const Points2& image, const Eigen::VectorXd& areas) {
+    cotangents_.resize(faces_.rows(), 3);
+    for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::RowVector2d p = image.row(faces_(f, k));
+        const double dot = (image.row(faces_(f, (k + 1) % 3)) - p).dot(image.row(faces_(f, (k + 2) % 3)) - p);
+        cotangents_(f, k) = dot / std::max(2 * areas[f], 1e-300);
+      }
+    }
+  }
+
   void fillElement(Eigen::Index f, double damping) {
     double* value = &values_[static_cast<std::size_t>(21 * f)];
     for (int a = 0; a < 6; ++a) {
@@ -147,8 +162,22 @@ class AreaSystem {
   std::vector<double> values_;
   Points2 directions_;
   Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> gradients_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> cotangents_;
   Eigen::VectorXd weight_, right_;
 };
+
+// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
+void slowWhereFacesCollapse(const Points2& image, const Faces& faces, Points2& delta) {
+  for (int pass = 0; pass < 20; ++pass) {
+    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+      const double half = 0.5 * firstFlip(image, delta, faces(f, 0), faces(f, 1), faces(f, 2));
+      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
+    }
+    if (part.minCoeff() == 1) return;
+    delta.array().colwise() *= part.array();
+  }
+}
 
 // Longest step along δ, by halving, that keeps every face unfolded and lowers the energy; 0 when there is none.
 double search(const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image, const Points2& delta,
@@ -183,7 +212,8 @@ void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const Targ
 
     system.linearise(result.image);
     energy = system.energy(result.image);
-    const Points2 delta = system.step(damping);
+    Points2 delta = system.step(damping);
+    slowWhereFacesCollapse(result.image, faces, delta);
     const double limit = flipFreeStep(result.image, delta, faces, execution);
     Points2 moved;
     now.step = search(system, sliding, result.image, delta, std::min(1.0, 0.9 * limit), energy, moved);
