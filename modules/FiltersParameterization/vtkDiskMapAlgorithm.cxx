@@ -41,11 +41,8 @@ authalic::Json vtkDiskMapAlgorithm::DescribeOptions() const {
 }
 
 void vtkDiskMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport& report) {
-  double total = 0;
-  for (const auto& stage : report.seconds) total += stage.second;
   authalic::addField(map, "Method", report.method);
   authalic::addField(map, "Residuals", report.residuals);
-  authalic::addField(map, "Seconds", total);
   this->Report = authalic::mapReport(report).text();
   this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
 }

@@ -17,7 +17,6 @@
  * | field | Status | 1 string | | converged, not-converged, stalled, cancelled |
  * | field | Iterations | 1 int | | |
  * | field | Residuals | 1 double each | | history of what the method drives to 0 |
- * | field | Seconds | 1 double | s | |
  * | field | TotalAreaDistortion … | 1 | | one number per metric of authalic::DistortionSummary |
  */
 #ifndef vtkDiskMapAlgorithm_h
@@ -99,7 +98,7 @@ protected:
   /** Domain and measure as the options of a report. */
   authalic::Json DescribeOptions() const;
 
-  /** Arrays from `report` (method, status, residuals, seconds), Report and ErrorKind; the image is on `map` already. */
+  /** Arrays from `report` (method, status, residuals), Report and ErrorKind; the image is on `map` already. */
   void Publish(vtkPolyData* map, const authalic::MapReport& report);
 
   int Domain = DISK;

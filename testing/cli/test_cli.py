@@ -159,7 +159,20 @@ class Results(CommandLine):
         self.assertTrue((self.here / "m.vtp").exists())
         self.succeeds(*words, "--allow-nonconverged")
 
-    def test_same_bytes_in_two_runs_and_at_any_thread_count(self):
+    def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
+            maps, reports = [], []
+            for name, threads in (("a", 1), ("b", 1), ("c", 2)):
+                self.succeeds("map", method, disk, "-o", f"{name}.vtp", "--report", f"{name}.json", "--threads", threads)
+                maps.append((self.here / f"{name}.vtp").read_bytes())
+                reports.append(json.loads((self.here / f"{name}.json").read_text()))
+                self.assertGreater(reports[-1].pop("seconds")["total"], 0, method)
+            for other in (1, 2):
+                self.assertTrue(maps[0] == maps[other], f"{method}: bytes of the map differ")
+                self.assertEqual(reports[0], reports[other], method)
+
+    def test_elements_are_the_same_in_two_runs_and_at_any_thread_count(self):
         for name, threads in (("a", 1), ("b", 2), ("c", 2)):
             self.succeeds("map", "lie-flow", self.sheet, "-o", f"{name}.vtp", "--threads", threads, "--allow-nonconverged", "-q")
             self.succeeds("elements", f"{name}.vtp", "-o", f"{name}.tsv", "--threads", threads)
