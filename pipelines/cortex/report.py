@@ -8,43 +8,47 @@ TITLES = {"lh": "Left hemisphere", "rh": "Right hemisphere"}
 FIGURES = {
     "cortex": (
         "The cortex and its elements",
-        "The border of grey and white matter from the lateral and the medial side, and its flat map. Colour tells the "
-        "place: what has the same colour is the same piece of cortex. The lines cut the map into equal squares; carried "
-        "back, they cut the cortex into elements of equal area. Beige: the medial wall, which is no cortex and was "
-        "removed to open the surface.",
-        "Sulci must be open, without bridges; the medial wall must be one piece, bounded by the corpus callosum and the "
-        "brainstem. Elements look small where they dive into a sulcus: their area is counted along its banks."),
+        "The border of grey and white matter from the lateral and the medial side, and its flat map. "
+        "Colour tells the place: what has the same colour is the same piece of cortex. The lines cut "
+        "the map into equal squares; carried back, they cut the cortex into elements of equal area. "
+        "Beige: the medial wall, which is no cortex and was removed to open the surface.",
+        "Sulci must be open, without bridges; the medial wall must be one piece, bounded by the "
+        "corpus callosum and the brainstem. Elements look small where they dive into a sulcus: their "
+        "area is counted along its banks."),
     "flatmap": (
         "The flat map",
-        "The same cortex flat: light gyri, dark sulci (depth below a smoothed surface). Red lines and names: regions of "
-        "the atlas, read at the nearest labelled voxel. The compass gives the mean direction of superior (S) and "
-        "anterior (A). Areas are true everywhere, so the bar and the square hold all over the map; shapes are not.",
-        "The rim is the border of the medial wall. Find the central sulcus between precentral and postcentral, and the "
-        "Sylvian fissure around the insula; if they are not where the names say, image and atlas are not aligned."),
+        "The same cortex flat: light gyri, dark sulci (depth below a smoothed surface). Red lines and "
+        "names: regions of the atlas, read at the nearest labelled voxel. The compass gives the mean "
+        "direction of superior (S) and anterior (A). Areas are true everywhere, so the bar and the "
+        "square hold all over the map; shapes are not.",
+        "The rim is the border of the medial wall. Find the central sulcus between precentral and "
+        "postcentral, and the Sylvian fissure around the insula; if they are not where the names say, "
+        "image and atlas are not aligned."),
     "checkerboard": (
         "A checkerboard carried back",
-        "A board of equal squares on each map, drawn on the cortex. Above the initial (Tutte) map, below the "
-        "area-preserving one.",
-        "Above, squares of one board are many times larger in one place than in another. Below, all cover the same area "
-        "of cortex; what is given up is their shape."),
+        "A board of equal squares on each map, drawn on the cortex. Above the initial (Tutte) map, "
+        "below the area-preserving one.",
+        "Above, squares of one board are many times larger in one place than in another. Below, all "
+        "cover the same area of cortex; what is given up is their shape."),
     "distortion": (
         "Area distortion on the cortex",
-        "log2 of the share of a triangle in the map over its share in the cortex: 0 (light) = preserved, 1 = twice, "
-        "−1 = half. One scale for both maps.",
-        "Below should be light throughout. Colour that remains sits near the rim or on needle-shaped triangles, and is "
-        "what the last column of the histograms adds up to."),
+        "log2 of the share of a triangle in the map over its share in the cortex: 0 (light) = "
+        "preserved, 1 = twice, −1 = half. One scale for both maps.",
+        "Below should be light throughout. Colour that remains sits near the rim or on needle-shaped "
+        "triangles, and is what the last column of the histograms adds up to."),
     "histograms": (
         "Areas and angles, before and after",
-        "Share of the cortex per bin of area distortion and of angle distortion, and the areas of the elements over "
-        "their target, for the initial and the area-preserving map. The outermost bins hold what lies beyond.",
-        "Blue should stand at 0 in the first and at 1 in the third chart. The second is the price: angles cannot be "
-        "kept when areas are."),
+        "Share of the cortex per bin of area distortion and of angle distortion, and the areas of the "
+        "elements over their target, for the initial and the area-preserving map. The outermost bins "
+        "hold what lies beyond.",
+        "Blue should stand at 0 in the first and at 1 in the third chart. The second is the price: "
+        "angles cannot be kept when areas are."),
     "field": (
         "A sampled field, per vertex and per element",
-        "T1 signal sampled into the cortex: every vertex on the flat map, then its area-weighted mean per element, "
-        "there and on the cortex.",
-        "Elements average equal areas, so they have equal weight in statistics. Myelin-rich sensorimotor, visual and "
-        "auditory cortex is brighter in T1."),
+        "T1 signal sampled into the cortex: every vertex on the flat map, then its area-weighted mean "
+        "per element, there and on the cortex.",
+        "Elements average equal areas, so they have equal weight in statistics. Myelin-rich "
+        "sensorimotor, visual and auditory cortex is brighter in T1."),
 }
 
 STYLE = """
