@@ -25,7 +25,7 @@ def lab_to_rgb(lab):
 
 
 def domain_colours(uv, shade):
-    """One colour per place of the map (direction = hue, distance from the centre = saturation), times a shade."""
+    """One colour per place of the map (direction = hue, distance = saturation), times a shade."""
     reach = np.abs(uv).max()
     lab = np.column_stack([np.full(len(uv), 74.0), 58 * uv[:, 0] / reach, 58 * uv[:, 1] / reach])
     return to_bytes(lab_to_rgb(lab) * shade[:, None])
@@ -39,7 +39,7 @@ def distinct(count):
 
 
 def sulcal_grey(depth):
-    """Grey level per vertex: light gyri (depth below 0), dark sulci; between the 5th and the 95th percentile."""
+    """Grey level per vertex: light gyri and dark sulci, between the 5th and the 95th percentile."""
     low, high = np.percentile(depth, [5, 95])
     return GYRUS + (SULCUS - GYRUS) * np.clip((depth - low) / max(high - low, 1e-9), 0, 1)
 

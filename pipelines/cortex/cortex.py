@@ -24,7 +24,6 @@ from hemisphere import AUTHALIC, INITIAL, SIDES, Hemisphere
 from render import Display
 from stages import StageError, Stages
 
-
 FAST_FACES = 80000  # triangles per hemisphere with --fast
 
 
@@ -100,7 +99,7 @@ def with_labels(surface, labels):
 
 def fields_of(surface, t1):
     """Reads the T1 at and around the surface: the last filter, and (array, unit, meaning) of each field."""
-    fields = [("sulcal_depth", "mm", "depth below the surface smoothed until its folds are gone; sulci positive")]
+    fields = [("sulcal_depth", "mm", "depth below the surface without its folds; sulci positive")]
     if t1 is None:
         return surface, fields
     at_vertex = sample(surface.GetOutputPort(), t1, "t1")

@@ -164,7 +164,7 @@ def compass(map_, scale):
 
 
 def scale_bar(millimetres, scale):
-    """A bar of 5 cm in steps of 1 cm and a square of 1 cm², both true because areas are; `millimetres` per map unit."""
+    """A bar of 5 cm and a square of 1 cm², both true because areas are; `millimetres` per map unit."""
     cm = 10 / millimetres
     x, y = 0.70 * scale, -0.93 * scale
     ticks = [[(x + k * cm, y), (x + k * cm, y + 0.4 * cm)] for k in range(6)]
@@ -172,6 +172,7 @@ def scale_bar(millimetres, scale):
     box = [(x, y + cm), (x + cm, y + cm), (x + cm, y + 2 * cm), (x, y + 2 * cm), (x, y + cm)]
     path += [[a, b] for a, b in zip(box, box[1:])]
     lines = arrays.segments(np.array([(*p, 0.02) for pair in path for p in pair]))
-    words = [_words("1 cm", (x + 0.5 * cm, y - 0.7 * cm, 0.02), 15), _words("5 cm", (x + 5 * cm, y - 0.7 * cm, 0.02), 15),
+    words = [_words("1 cm", (x + 0.5 * cm, y - 0.7 * cm, 0.02), 15),
+             _words("5 cm", (x + 5 * cm, y - 0.7 * cm, 0.02), 15),
              _words("1 cm²", (x + 2.4 * cm, y + 1.5 * cm, 0.02), 15)]
     return [scenes.line_actor(lines, 2.0), *words]

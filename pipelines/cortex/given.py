@@ -18,8 +18,8 @@ def surface(options, stages):
     given = stages.run("reading the surface", last)
     side = options.hemisphere or side_of(options.surface, given)
     if options.t1 and "unknown" in str(arrays.field_numbers(given).get("CoordinateSpace", "unknown")):
-        raise StageError(f"{options.surface} must say that it is in scanner RAS, so that the T1 can be read on it; it does "
-                         "not say. Convert it with a format that does, or leave --t1 out.", 2)
+        raise StageError(f"{options.surface} must say that it is in scanner RAS, so that the T1 can be read on it; "
+                         "it does not say. Convert it to a format that does, or leave --t1 out.", 2)
     if options.cortex:
         cortex = authalic.vtkVertexDataReader()
         cortex.SetInputConnection(last.GetOutputPort())

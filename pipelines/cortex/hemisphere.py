@@ -59,8 +59,10 @@ class Hemisphere:
         return arrays.cell_array(cells, "ElementAreaRatio")[arrays.cell_array(cells, "Interior") > 0]
 
     def numbers(self, name):
-        """Field data of a map: distortion, status, elements; without the seconds, which differ from run to run."""
-        return {key: value for key, value in arrays.field_numbers(self.maps[name]).items() if key != "Seconds"}
+        """Field data of a map: distortion, status, elements; without the seconds."""
+        numbers = arrays.field_numbers(self.maps[name])
+        numbers.pop("Seconds", None)  # they differ from run to run
+        return numbers
 
     def shown_field(self):
         """The field of the picture: the T1 in the cortex, else the first there is."""

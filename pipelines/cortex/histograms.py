@@ -13,7 +13,7 @@ BEFORE, AFTER = (0.84, 0.37, 0.00), (0.00, 0.35, 0.70)  # Okabe and Ito: told ap
 
 
 def histogram_actor(series, weights, ticks, width, title, unit, of="share of the cortex in %"):
-    """A chart of outlines over the range of the ticks, with bins of `width` of which one is centred on each tick.
+    """A chart of outlines over the range of the ticks, with bins of `width`, one of them centred on each tick.
 
     series = [(name, values, colour)]; weights of the values, or None.
     """

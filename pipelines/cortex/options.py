@@ -7,8 +7,8 @@ TEMPLATES = pathlib.Path("/usr/share/mricron/templates")  # of Debian's mricron-
 
 DESCRIPTION = """From a T1 MRI to area-preserving flat maps of both hemispheres, with statistics per element.
 
-Without --t1 and --surface the job runs on the T1 of Debian's package mricron-data (0.5 mm; 1 mm with --fast) and its
-AAL labels. Everything goes to the folder --out; open its index.html. Nothing here is a medical device."""
+Without --t1 and --surface the job runs on the T1 of Debian's package mricron-data (0.5 mm; 1 mm with
+--fast) and its AAL labels. Everything goes to the folder --out; open its index.html. Nothing here is a medical device."""
 
 
 def parse(arguments=None):
@@ -18,12 +18,14 @@ def parse(arguments=None):
                         help="T1 volume, skull-stripped unless labels are given (NIfTI, MGH/MGZ)")
     parser.add_argument("--labels", type=existing, metavar="FILE", help="label volume in the space of the T1")
     parser.add_argument("--label-names", type=existing, metavar="FILE",
-                        help="names of the labels: one 'number name' per line; default: LABELS without .gz, with .txt")
+                        help="names of the labels: one 'number name' per line; "
+                             "default: LABELS without .gz, with .txt")
     parser.add_argument("--surface", type=existing, metavar="FILE",
-                        help="start from this white surface of one hemisphere (FreeSurfer, GIFTI, VTP); no segmentation")
+                        help="start from this white surface of one hemisphere (FreeSurfer, GIFTI, VTP); "
+                             "no segmentation")
     parser.add_argument("--cortex", type=existing, metavar="FILE",
-                        help="with --surface: its cortex (FreeSurfer .label, .annot, .label.gii); the rest is the medial "
-                             "wall. Default: what lies beyond a plane near the midline is cut off")
+                        help="with --surface: its cortex (FreeSurfer .label, .annot, .label.gii); the rest is "
+                             "the medial wall. Default: what lies beyond a plane near the midline is cut off")
     parser.add_argument("--hemisphere", choices=["lh", "rh"],
                         help="of --surface; default: from its file name, else from its side")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/cortex"), metavar="DIR",

@@ -17,8 +17,8 @@ import report
 from hemisphere import AUTHALIC, INITIAL, SIDES
 from stages import StageError
 
-LEAD = ("Each hemisphere's white surface was taken from the T1, opened at the medial wall, mapped to a disk and then moved "
-        "until every patch has its true share of area. Equal squares on that disk are elements of equal cortical area.")
+LEAD = ("Each hemisphere's white surface was opened at the medial wall, mapped to a disk and then moved until every "
+        "patch has its share of area. Equal squares on that disk are elements of equal cortical area.")
 
 
 def write(results, options, stages, can_draw):
@@ -34,8 +34,8 @@ def write(results, options, stages, can_draw):
     for hemisphere in results:
         write_report(hemisphere, options, stages)
     page = options.out / "index.html"
-    report.write(page, "Cortex: area-preserving maps", LEAD, numbers_table.tables(results, options, stages, versions()),
-                 shown, stages.warnings)
+    tables = numbers_table.tables(results, options, stages, versions())
+    report.write(page, "Cortex: area-preserving maps", LEAD, tables, shown, stages.warnings)
     return page
 
 
@@ -68,8 +68,8 @@ def write_data(hemisphere, folder):
 
 
 def flat_surface(hemisphere):
-    """The map in mm, in the vertex order of the white surface: vertices that are not mapped sit at the image of the
-    nearest vertex of the rim, and the faces of the medial wall are gone."""
+    """The map in mm, in the vertex order of the white surface: vertices that are not mapped sit at the image of
+    the nearest vertex of the rim, and the faces of the medial wall are gone."""
     flat, ids = hemisphere.flat, hemisphere.original_ids()
     rim = rim_vertices(flat)
     locator = vtkStaticPointLocator()
@@ -198,4 +198,5 @@ def inputs(options):
 
 
 def versions():
-    return {"authalic": authalic.__version__, "vtk": vtkVersion.GetVTKVersion(), "python": platform.python_version()}
+    return {"authalic": authalic.__version__, "vtk": vtkVersion.GetVTKVersion(),
+            "python": platform.python_version()}

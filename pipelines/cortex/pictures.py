@@ -76,7 +76,7 @@ def distortion(hemisphere, path):
 
 
 def _four_views(hemisphere, props, path, table=None, title=""):
-    """The initial map above, the area-preserving one below; lateral left, medial right; a colour bar if wanted."""
+    """The initial map above, the area-preserving one below; lateral left, medial right."""
     foot = 0.09 if table else 0.0
     height = (1 - foot) / 2
     panels = []

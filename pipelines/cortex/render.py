@@ -111,7 +111,7 @@ def _pixels(window):
 
 
 def write_png(rgb, path):
-    """h×w×3 bytes, bottom row first, to a PNG: under another name first, so that it is there whole or not at all."""
+    """h×w×3 bytes, bottom row first, to a PNG that is there whole or not at all."""
     image = vtkImageData()
     image.SetDimensions(rgb.shape[1], rgb.shape[0], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(rgb).reshape(-1, 3), deep=1))

@@ -1,4 +1,4 @@
-"""Three-dimensional views of a hemisphere: lateral and medial, coloured by place, checkerboard or distortion."""
+"""Lateral and medial views of a hemisphere, coloured by place, checkerboard or distortion."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals

@@ -1,4 +1,4 @@
-"""Running VTK filters one after the other: progress on stderr, seconds per stage, failures as one sentence."""
+"""Running VTK filters one by one: progress on stderr, seconds per stage, failures as one sentence."""
 import re
 import resource
 import sys
@@ -44,7 +44,8 @@ class Stages:
         self.converged &= NOT_CONVERGED not in kinds
         failed = [kind for kind in kinds if kind not in (0, NOT_CONVERGED)]
         if failed or messages.errors:
-            raise StageError(" ".join(messages.errors) or f"The stage '{name}' failed.", failed[0] if failed else 1)
+            words = " ".join(messages.errors) or f"The stage '{name}' failed."
+            raise StageError(words, failed[0] if failed else 1)
         return filter_.GetOutputDataObject(port)
 
     def stage(self, name):
@@ -88,7 +89,8 @@ def upstream(filter_):
     chain = []
     for port in range(filter_.GetNumberOfInputPorts()):
         for connection in range(filter_.GetNumberOfInputConnections(port)):
-            chain += [member for member in upstream(filter_.GetInputAlgorithm(port, connection)) if member not in chain]
+            source = filter_.GetInputAlgorithm(port, connection)
+            chain += [member for member in upstream(source) if member not in chain]
     return [*chain, filter_]
 
 

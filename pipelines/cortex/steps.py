@@ -8,14 +8,14 @@ import arrays
 
 
 class SulcalDepth(VTKPythonAlgorithmBase):
-    """Adds the point array sulcal_depth: mm below (positive, sulci) a surface smoothed until its folds are gone."""
+    """Adds the point array sulcal_depth: mm below (positive, sulci) a surface smoothed until it has no folds."""
 
     def __init__(self):
         super().__init__(inputType="vtkPolyData", outputType="vtkPolyData")
 
     def RequestData(self, _request, inputs, outputs):
         surface = vtkPolyData.GetData(inputs[0])
-        pass_band = np.clip(2e-4 * arrays.face_areas(surface).mean()**0.5, 2e-4, 1e-3)  # folds are wider than triangles
+        pass_band = np.clip(2e-4 * arrays.face_areas(surface).mean()**0.5, 2e-4, 1e-3)
         smooth = vtkWindowedSincPolyDataFilter()
         smooth.SetInputData(surface)
         smooth.SetNumberOfIterations(int(0.08 / pass_band))
