@@ -56,7 +56,7 @@ Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMe
     if (distortion < least) {
       least = distortion;
       best = current;
-    } else if (round > 2) {
+    } else if (round > 2 && std::isfinite(least)) {
       break;
     }
     stiffen(weights, faces, starRatios(current, faces, target, disk.mesh().vertexCount()));

@@ -38,12 +38,15 @@ void requireMatching(const DiskMesh& disk, const TargetMeasure& target) {
 }
 
 Points2 startingImage(const DiskMesh& disk, const BoundaryPlacement& placement, const Points2& initial,
-                      const Execution& execution) {
+                      const TargetMeasure& target, const DiscreteLieFlowOptions& options, const Execution& execution) {
   Points2 image = initial;
   for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
     image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
   }
   UnfoldResult unfolded = unfold(disk.topology(), image, execution);
+  if (unfolded.flippedFaces > 0 && options.finish == LieFlowFinish::Match && placement.pockets.empty()) {
+    unfolded = unfold(disk.topology(), balancedStart(disk, image, target, options.solver, execution), execution);
+  }
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     throw GeometryError("An initial map that can be unfolded is required, but " +
                         std::to_string(unfolded.flippedFaces) +
@@ -94,7 +97,7 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
   requireMatching(disk, target);
   const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, initial);
   DiscreteLieFlowResult result;
-  result.image = startingImage(disk, placement, initial, execution);
+  result.image = startingImage(disk, placement, initial, target, options, execution);
   Stopwatch watch;
   if (options.finish == LieFlowFinish::Match && placement.pockets.empty() && farFromTarget(disk, target, result.image)) {
     result.image = balancedStart(disk, result.image, target, options.solver, execution.part(0, 0.3));
