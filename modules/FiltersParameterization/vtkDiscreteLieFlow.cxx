@@ -28,10 +28,12 @@ authalic::MapReport describe(const authalic::DiscreteLieFlowResult& flow, double
   for (const authalic::LieFlowIteration& step : flow.history) report.residuals.push_back(step.residual);
   report.residuals.push_back(flow.residual);
   report.seconds = {{"initial", initialSeconds},
+                    {"start", flow.startSeconds},
                     {"flow", flow.flowSeconds},
                     {"unfold", flow.unfoldSeconds},
                     {"finish", flow.finishSeconds}};
   report.more.set("residual", flow.residual);
+  report.more.set("balanced_start", flow.balancedStart);
   report.more.set("finish_iterations", flow.finishIterations);
   report.more.set("flipped_before_finish", flow.flippedBeforeFinish);
   report.more.set("edge_flips", flow.edgeFlips);

@@ -4,39 +4,33 @@
 #include <cmath>
 #include <limits>
 
+#include "Core/authalic/LieFlowStages.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricSystem.h"
 
 namespace authalic {
 namespace {
 
-constexpr int kRounds = 20;
-constexpr double kStrength = 0.35;
-constexpr double kSmallest = 1e-12;  // of a share, so that collapsed stars do not end the powers
+constexpr int kRounds = 15;
+constexpr double kGoodEnough = 0.035;  // mean |ln r| of the stars: the least-squares steps do the rest faster
+constexpr double kLargestLog = 30;     // of a ratio in one round, so that collapsed faces keep finite weights
 
-// Σ m_t (r_t + 1/r_t); infinite when a face with a target has no positive area.
-double areaDistortion(const Points2& image, const Faces& faces, const Eigen::VectorXd& targets) {
-  const Eigen::VectorXd areas = signedFaceAreas(image, faces);
-  const double total = areas.sum(), targetTotal = targets.sum();
-  double sum = 0;
-  for (Eigen::Index f = 0; f < areas.size(); ++f) {
-    const double share = targets[f] / targetTotal, q = areas[f] / total;
-    if (!(q > 0)) return std::numeric_limits<double>::infinity();
-    if (share > 0) sum += q + share * share / q;
+// ln of (share of x / share of target), clamped; 0 where the target is.
+Eigen::VectorXd logRatios(const Eigen::VectorXd& x, const Eigen::VectorXd& target) {
+  const double scale = target.sum() / x.cwiseAbs().sum(), least = std::exp(-kLargestLog);
+  Eigen::VectorXd logs = Eigen::VectorXd::Zero(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (target[i] > 0) logs[i] = std::min(std::log(std::max(x[i] * scale / target[i], least)), kLargestLog);
   }
-  return sum;
+  return logs;
 }
 
-Eigen::VectorXd starRatios(const Points2& image, const Faces& faces, const TargetMeasure& target, int vertexCount) {
-  const Eigen::VectorXd stars = vertexStars(signedFaceAreas(image, faces), faces, vertexCount);
-  const Eigen::VectorXd& targets = target.vertices();
-  return ((stars / stars.sum()).array().max(kSmallest) / (targets / targets.sum()).array().max(kSmallest)).matrix();
-}
-
-void stiffen(HalfEdgeWeights& weights, const Faces& faces, const Eigen::VectorXd& ratios) {
-  const Eigen::VectorXd power = ratios.array().pow(0.5 * kStrength);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) weights(f, k) *= power[faces(f, k)] * power[faces(f, (k + 1) % 3)];
+void reweight(const SurfaceTopology& topology, const Eigen::VectorXd& stars, const Eigen::VectorXd& faces,
+              HalfEdgeWeights& weights) {
+  for (int h = 0; h < 3 * static_cast<int>(weights.rows()); ++h) {
+    const int across = topology.opposite(h), f = h / 3, g = across < 0 ? f : across / 3;
+    weights(f, h % 3) *=
+        std::exp(0.25 * (stars[topology.tail(h)] + stars[topology.head(h)] + faces[f] + faces[g]));
   }
   weights /= weights.mean();
 }
@@ -46,20 +40,21 @@ void stiffen(HalfEdgeWeights& weights, const Faces& faces, const Eigen::VectorXd
 Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
                       const Execution& execution) {
   const Faces& faces = disk.mesh().faces();
-  Points2 best = image, current = image;
-  double least = areaDistortion(image, faces, target.faces());
+  BarycentricSolver solver(faces, disk.topology().onBoundary(), backend);
   HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
-  for (int round = 0; round < kRounds && !execution.cancelled(); ++round) {
+  Points2 best = image, current = image;
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < kRounds && least > kGoodEnough && !execution.cancelled(); ++round) {
     execution.report(double(round) / kRounds, "Balancing the start");
-    solveBarycentric(faces, weights, disk.topology().onBoundary(), backend, current);
-    const double distortion = areaDistortion(current, faces, target.faces());
-    if (distortion < least) {
-      least = distortion;
+    solver.solve(weights, current);
+    const Eigen::VectorXd areas = signedFaceAreas(current, faces);
+    const Eigen::VectorXd stars = vertexStars(areas, faces, disk.mesh().vertexCount());
+    const double error = measureStars(stars, target.vertices()).meanAbsLog;
+    if (error < least && areas.minCoeff() > 0) {
+      least = error;
       best = current;
-    } else if (round > 2 && std::isfinite(least)) {
-      break;
     }
-    stiffen(weights, faces, starRatios(current, faces, target, disk.mesh().vertexCount()));
+    reweight(disk.topology(), logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
   }
   return best;
 }

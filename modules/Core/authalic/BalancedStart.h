@@ -12,14 +12,18 @@ namespace authalic {
 /// Barycentric maps with the boundary of `image`, reweighted until areas no longer come nearer to their targets.
 ///
 /// Tutte's map shrinks what lies behind a narrow neck by the exponential of its depth; triangles of 1e-7 of their share
-/// pin any flow. With r_i = image share / target share of a vertex star, each round sets
+/// pin any flow. With r = image share / target share, of the stars of vertices i, j and of the faces s, t beside an
+/// edge, each round sets
 ///
-///     w_ij ← w_ij (r_i r_j)^(s/2),  s = 0.35,
+///     w_ij ← w_ij (r_i r_j)^¼ (r_s r_t)^¼
 ///
 /// from w_ij = 1, and solves Σ_j w_ij (x_j − x_i) = 0: edges that are too long are stiffened, as in @cite yoshizawa2004.
-/// Weights stay positive and symmetric, so no face flips on a convex domain. The round with the smallest area
-/// distortion Σ m_t (r_t + 1/r_t) is returned, or `image` where no round is better.
-/// Complexity: one sparse factorisation per round, at most 20.
+/// The stars even out areas at large; the faces reach into nested three-cycles, whose stars see the large faces
+/// around them. Along a tube the exponent of the shrinking falls from 1 to about 1/√(2k) after k rounds.
+///
+/// Weights stay positive and symmetric, so no face flips on a convex domain, up to rounding. The round with the
+/// smallest mean |ln r| of the stars among those without a fold is returned (or `image`, where none is).
+/// Complexity: one symbolic and at most 15 numeric sparse factorisations.
 [[nodiscard]] Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                     SolverBackend backend, const Execution& execution = {});
 

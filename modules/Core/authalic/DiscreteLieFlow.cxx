@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/LieFlowStages.h"
@@ -37,24 +38,6 @@ void requireMatching(const DiskMesh& disk, const TargetMeasure& target) {
                       "; build it from the same surface.");
 }
 
-Points2 startingImage(const DiskMesh& disk, const BoundaryPlacement& placement, const Points2& initial,
-                      const TargetMeasure& target, const DiscreteLieFlowOptions& options, const Execution& execution) {
-  Points2 image = initial;
-  for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
-    image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
-  }
-  UnfoldResult unfolded = unfold(disk.topology(), image, execution);
-  if (unfolded.flippedFaces > 0 && options.finish == LieFlowFinish::Match && placement.pockets.empty()) {
-    unfolded = unfold(disk.topology(), balancedStart(disk, image, target, options.solver, execution), execution);
-  }
-  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
-    throw GeometryError("An initial map that can be unfolded is required, but " +
-                        std::to_string(unfolded.flippedFaces) +
-                        " faces stay folded; start from a tutte or mean-value map to a convex domain.");
-  }
-  return unfolded.image;
-}
-
 // Whether some vertex star has less than e⁻⁸ or more than e⁸ of its share.
 bool farFromTarget(const DiskMesh& disk, const TargetMeasure& target, const Points2& image) {
   const Faces& faces = disk.mesh().faces();
@@ -65,6 +48,29 @@ bool farFromTarget(const DiskMesh& disk, const TargetMeasure& target, const Poin
     if (share > 0 && std::abs(std::log(std::max(stars[v] * scale / share, 1e-300))) > 8) return true;
   }
   return false;
+}
+
+struct Start {
+  Points2 image;
+  bool balanced = false;
+};
+
+Start prepareStart(const DiskMesh& disk, const BoundaryPlacement& placement, const Points2& initial,
+                   const TargetMeasure& target, const DiscreteLieFlowOptions& options, const Execution& execution) {
+  Start start{initial};
+  for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
+    start.image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
+  }
+  start.balanced = options.finish == LieFlowFinish::Match && farFromTarget(disk, target, start.image);
+  if (start.balanced) start.image = balancedStart(disk, start.image, target, options.solver, execution);
+  UnfoldResult unfolded = unfold(disk.topology(), start.image, execution);
+  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
+    throw GeometryError("An initial map that can be unfolded is required, but " +
+                        std::to_string(unfolded.flippedFaces) +
+                        " faces stay folded; start from a tutte or mean-value map to a convex domain.");
+  }
+  start.image = std::move(unfolded.image);
+  return start;
 }
 
 void measureResult(const DiskMesh& disk, const TargetMeasure& target, double tolerance, DiscreteLieFlowResult& result) {
@@ -97,13 +103,13 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
   requireMatching(disk, target);
   const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, initial);
   DiscreteLieFlowResult result;
-  result.image = startingImage(disk, placement, initial, target, options, execution);
   Stopwatch watch;
-  if (options.finish == LieFlowFinish::Match && placement.pockets.empty() && farFromTarget(disk, target, result.image)) {
-    result.image = balancedStart(disk, result.image, target, options.solver, execution.part(0, 0.3));
-  }
+  const Start start = prepareStart(disk, placement, initial, target, options, execution.part(0, 0.3));
+  result.image = start.image;
+  result.balancedStart = start.balanced;
+  result.startSeconds = watch.lap();
   const SlidingBoundary sliding(placement, options.domain, result.image);
-  flowWithFlips(disk, placement, sliding, target, options, execution.part(0.3, 0.6), result);
+  if (!start.balanced) flowWithFlips(disk, placement, sliding, target, options, execution.part(0.3, 0.6), result);
   result.flowSeconds = watch.lap();
   result.flippedBeforeFinish = countFlippedFaces(result.image, disk.mesh().faces());
   if (options.finish != LieFlowFinish::None) {

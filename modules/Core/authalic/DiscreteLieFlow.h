@@ -48,6 +48,7 @@ struct LieFlowIteration {
 struct DiscreteLieFlowResult {
   Points2 image;                  ///< n×2, on the domain; vertices in the order of the input
   Status status = Status::NotRun; ///< Converged: residual ≤ tolerance on the original connectivity, and no fold
+  bool balancedStart = false;     ///< the initial map was too far off and was balanced first, see discreteLieFlow
   int iterations = 0;             ///< steps of the flow
   int finishIterations = 0;       ///< steps of the finish
   double residual = 0;            ///< of `image` on the original connectivity
@@ -56,7 +57,7 @@ struct DiscreteLieFlowResult {
   int flippedBeforeFinish = 0;    ///< original faces folded when the flow ended
   int flippedFaces = 0;           ///< original faces folded in `image`
   std::vector<LieFlowIteration> history;
-  double flowSeconds = 0, unfoldSeconds = 0, finishSeconds = 0;
+  double startSeconds = 0, flowSeconds = 0, unfoldSeconds = 0, finishSeconds = 0;
 };
 
 /// Flows a map of a disk until every vertex star has its target area.
@@ -75,6 +76,10 @@ struct DiscreteLieFlowResult {
 /// divergence matches the face areas in the least-squares sense,
 ///   min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t) + ε Σ_{edges ij} |δ_i − δ_j|²,
 /// so that the areas that are reported are those of the mesh that the user has.
+///
+/// Where the initial map is so far off that its smallest triangles would pin the flow (some vertex star has less than
+/// e⁻⁸ or more than e⁸ of its share), and finish is Match, a reweighted barycentric map with the same boundary takes its
+/// place and the flow is left out (`balancedStart`, 0 iterations): what is left to do are the least-squares Lie steps.
 ///
 /// @param initial  n×2, a map to the same domain, boundary on its boundary (any barycentric map); folds in it are
 ///                 unfolded first

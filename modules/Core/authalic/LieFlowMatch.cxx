@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/Unfold.h"
 #include "Core/geometry/Areas.h"
 #include "Core/numerics/ElementAssembly.h"
 #include "Core/numerics/FlipFreeStep.h"
@@ -11,11 +13,11 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestRatio = 1e-3;  // of face areas, in the weights
+constexpr double kSmallestRatio = 0.02;  // of face areas, in the weights
 // The faces nearly determine the map: with less damping the last face-scale errors are bought with long slides along
 // the curves of equal area, away from the gradient flow.
 constexpr double kSmallestDamping = 0.01;
-constexpr double kPinned = 0.25;  // of the step: faces that collapse before twice this are slowed by themselves
+constexpr double kMostFolded = 0.02;  // share of faces above which a whole step is not worth unfolding
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -81,12 +83,12 @@ class AreaSystem {
     solver_.analyze(assembly_.matrix());
   }
 
-  // E = Σ m_t (r_t + 1/r_t) − 2 with r = a / (S m), S = Σ a: infinite when a face is folded, growing as one collapses.
+  // E = Σ (a_t − S m_t)² / (S m_t) with S = Σ a, divided by S; infinite when a face is folded.
   [[nodiscard]] double energy(const Points2& image) const {
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
     if (!(areas.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-    return ((areas / total - target_).array().square() / (areas / total).array()).sum();
+    return ((areas / total - target_).array().square() * weight_.array()).sum() * total;
   }
 
   void linearise(const Points2& image) {
@@ -94,9 +96,7 @@ class AreaSystem {
     gradients_.resize(faces_.rows(), 6);
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
-    const Eigen::ArrayXd ratio = (areas.array() / (target_.array() * total).max(1e-300)).max(kSmallestRatio);
-    weight_ = (1 + ratio) / (2 * ratio.square() * target_.array() * total);
-    measureShapes(image, areas);
+    weight_ = (target_.array() * total * (areas.array() / (target_.array() * total)).max(kSmallestRatio).min(1)).inverse();
     right_ = Eigen::VectorXd::Zero(displacements_.count());
     for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
       for (int k = 0; k < 3; ++k) {
@@ -131,18 +131,6 @@ class AreaSystem {
     return direction(v, d).dot(direction(w, e));
   }
 
-  // Cotangents of the corners of the image: the damping is ε Σ a_t |∇δ|², which thin triangles feel most.
-  void measureShapes(const Points2& image, const Eigen::VectorXd& areas) {
-    cotangents_.resize(faces_.rows(), 3);
-    for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
-      for (int k = 0; k < 3; ++k) {
-        const Eigen::RowVector2d p = image.row(faces_(f, k));
-        const double dot = (image.row(faces_(f, (k + 1) % 3)) - p).dot(image.row(faces_(f, (k + 2) % 3)) - p);
-        cotangents_(f, k) = dot / std::max(2 * areas[f], 1e-300);
-      }
-    }
-  }
-
   void fillElement(Eigen::Index f, double damping) {
     double* value = &values_[static_cast<std::size_t>(21 * f)];
     for (int a = 0; a < 6; ++a) {
@@ -162,33 +150,42 @@ class AreaSystem {
   std::vector<double> values_;
   Points2 directions_;
   Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor> gradients_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> cotangents_;
   Eigen::VectorXd weight_, right_;
 };
 
-// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
-void slowWhereFacesCollapse(const Points2& image, const Faces& faces, Points2& delta) {
-  for (int pass = 0; pass < 20; ++pass) {
-    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
-    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-      const double half = 0.5 * firstFlip(image, delta, faces(f, 0), faces(f, 1), faces(f, 2));
-      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
-    }
-    if (part.minCoeff() == 1) return;
-    delta.array().colwise() *= part.array();
-  }
-}
+// Where a step leads, and its energy; step 0 when no step was found.
+struct Move {
+  Points2 image;
+  double step = 0, energy = std::numeric_limits<double>::infinity();
+};
 
-// Longest step along δ, by halving, that keeps every face unfolded and lowers the energy; 0 when there is none.
-double search(const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image, const Points2& delta,
-              double first, double energy, Points2& moved) {
+// The longest step along δ, by halving from `first`, that keeps every face unfolded and lowers the energy.
+Move searchLine(const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image, const Points2& delta,
+                double first, double energy) {
+  Move move;
   double step = first;
   for (int halving = 0; halving < 12; ++halving, step *= 0.5) {
-    moved = image + step * delta;
-    sliding.retract(moved);
-    if (system.energy(moved) < energy) return step;
+    move.image = image + step * delta;
+    sliding.retract(move.image);
+    move.energy = system.energy(move.image);
+    move.step = step;
+    if (move.energy < energy) return move;
   }
-  return 0;
+  return {};
+}
+
+// The whole step, with the few faces that fold on the way unfolded in place.
+Move stepAndUnfold(const DiskMesh& disk, const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image,
+                   const Points2& delta) {
+  Move move;
+  move.image = image + delta;
+  sliding.retract(move.image);
+  const int folded = countFlippedFaces(move.image, disk.mesh().faces());
+  if (folded > kMostFolded * disk.mesh().faceCount()) return {};
+  if (folded > 0) move.image = unfold(disk.topology(), move.image).image;
+  move.energy = system.energy(move.image);
+  move.step = 1;
+  return move;
 }
 
 }  // namespace
@@ -212,14 +209,15 @@ void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const Targ
 
     system.linearise(result.image);
     energy = system.energy(result.image);
-    Points2 delta = system.step(damping);
-    slowWhereFacesCollapse(result.image, faces, delta);
+    const Points2 delta = system.step(damping);
     const double limit = flipFreeStep(result.image, delta, faces, execution);
-    Points2 moved;
-    now.step = search(system, sliding, result.image, delta, std::min(1.0, 0.9 * limit), energy, moved);
-    if (now.step > 0) {
-      result.image = moved;
+    Move move = searchLine(system, sliding, result.image, delta, std::min(1.0, 0.9 * limit), energy);
+    if (0.9 * limit < 1) {
+      Move whole = stepAndUnfold(disk, system, sliding, result.image, delta);
+      if (whole.energy < std::min(energy, move.energy)) move = std::move(whole);
     }
+    now.step = move.step;
+    if (now.step > 0) result.image = std::move(move.image);
     failures = now.step > 0 ? 0 : failures + 1;
     damping *= now.step == 0 ? 10 : now.step > 0.7 ? 0.25 : now.step < 0.2 ? 4 : 1;
     damping = std::max(damping, kSmallestDamping);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "Core/base/Error.h"
 #include "Core/numerics/ElementAssembly.h"
@@ -34,16 +35,21 @@ Unknowns numberFreeVertices(const Faces& faces, const std::vector<char>& held) {
   return unknowns;
 }
 
-// The symmetric part of the system: the system itself for symmetric weights.
-SparseMatrix symmetricSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
-  ElementAssembly assembly(static_cast<int>(unknowns.vertices.size()), unknowns.ofFace);
-  std::vector<double> values(static_cast<std::size_t>(6 * unknowns.ofFace.rows()));
-  for (Eigen::Index f = 0; f < unknowns.ofFace.rows(); ++f) {
-    const Eigen::RowVector3d w = 0.5 * (weights.forward.row(f) + weights.backward.row(f));
+// The entries of each face's element matrix, for ElementAssembly.
+std::vector<double> elementValues(const HalfEdgeWeights& weights) {
+  std::vector<double> values(static_cast<std::size_t>(6 * weights.rows()));
+  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
+    const Eigen::RowVector3d w = weights.row(f);
     const std::array<double, 6> element{w[0] + w[2], -w[0], -w[2], w[0] + w[1], -w[1], w[1] + w[2]};
     std::copy(element.begin(), element.end(), values.begin() + 6 * f);
   }
-  return assembly.assemble(values);
+  return values;
+}
+
+// The symmetric part of the system: the system itself for symmetric weights.
+SparseMatrix symmetricSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
+  ElementAssembly assembly(static_cast<int>(unknowns.vertices.size()), unknowns.ofFace);
+  return assembly.assemble(elementValues(0.5 * (weights.forward + weights.backward)));
 }
 
 RowMajorMatrix fullSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
@@ -67,14 +73,16 @@ RowMajorMatrix fullSystem(const MeanValueWeights& weights, const Unknowns& unkno
   return matrix;
 }
 
-Eigen::MatrixXd rightHandSide(const Faces& faces, const MeanValueWeights& weights, const Unknowns& unknowns,
+// What the held neighbours contribute. @param forward, backward  weights seen from tail and head of each half-edge
+Eigen::MatrixXd rightHandSide(const Faces& faces, const HalfEdgeWeights& forward, const HalfEdgeWeights& backward,
+                              const ElementAssembly::Unknowns& unknowns, std::size_t unknownCount,
                               const Points2& image) {
-  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknowns.vertices.size()), 2);
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(unknownCount), 2);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const int l = (k + 1) % 3, i = unknowns.ofFace(f, k), j = unknowns.ofFace(f, l);
-      if (i >= 0 && j < 0) b.row(i) += weights.forward(f, k) * image.row(faces(f, l));
-      if (j >= 0 && i < 0) b.row(j) += weights.backward(f, k) * image.row(faces(f, k));
+      const int l = (k + 1) % 3, i = unknowns(f, k), j = unknowns(f, l);
+      if (i >= 0 && j < 0) b.row(i) += forward(f, k) * image.row(faces(f, l));
+      if (j >= 0 && i < 0) b.row(j) += backward(f, k) * image.row(faces(f, k));
     }
   }
   return b;
@@ -156,10 +164,13 @@ Eigen::MatrixXd solveUnsymmetric(const RowMajorMatrix& matrix, const SparseSolve
   return direct.solve(b);
 }
 
-void store(const Unknowns& unknowns, const Eigen::MatrixXd& x, Points2& image) {
-  for (std::size_t k = 0; k < unknowns.vertices.size(); ++k) {
-    image.row(unknowns.vertices[k]) = x.row(static_cast<Eigen::Index>(k));
-  }
+void store(const std::vector<int>& vertices, const Eigen::MatrixXd& x, Points2& image) {
+  for (std::size_t k = 0; k < vertices.size(); ++k) image.row(vertices[k]) = x.row(static_cast<Eigen::Index>(k));
+}
+
+ElementAssembly::Unknowns takeUnknowns(Unknowns&& unknowns, std::vector<int>& vertices) {
+  vertices = std::move(unknowns.vertices);
+  return std::move(unknowns.ofFace);
 }
 
 }  // namespace
@@ -171,7 +182,22 @@ void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const 
   const MeanValueWeights both{weights, weights};
   SparseSolver solver(backend);
   solver.compute(symmetricSystem(both, unknowns));
-  store(unknowns, solver.solve(rightHandSide(faces, both, unknowns, image)), image);
+  const Eigen::MatrixXd b = rightHandSide(faces, weights, weights, unknowns.ofFace, unknowns.vertices.size(), image);
+  store(unknowns.vertices, solver.solve(b), image);
+}
+
+BarycentricSolver::BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend)
+    : faces_(faces),
+      unknowns_(takeUnknowns(numberFreeVertices(faces, held), vertices_)),
+      assembly_(static_cast<int>(vertices_.size()), unknowns_),
+      solver_(backend, PatternUse::Reused) {
+  if (!vertices_.empty()) solver_.analyze(assembly_.matrix());
+}
+
+void BarycentricSolver::solve(const HalfEdgeWeights& weights, Points2& image) {
+  if (vertices_.empty()) return;
+  solver_.factorize(assembly_.assemble(elementValues(weights)));
+  store(vertices_, solver_.solve(rightHandSide(faces_, weights, weights, unknowns_, vertices_.size(), image)), image);
 }
 
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
@@ -180,8 +206,9 @@ void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const
   if (unknowns.vertices.empty()) return;
   SparseSolver solver(backend);
   solver.compute(symmetricSystem(weights, unknowns));
-  const Eigen::MatrixXd b = rightHandSide(faces, weights, unknowns, image);
-  store(unknowns, solveUnsymmetric(fullSystem(weights, unknowns), solver, b), image);
+  const Eigen::MatrixXd b =
+      rightHandSide(faces, weights.forward, weights.backward, unknowns.ofFace, unknowns.vertices.size(), image);
+  store(unknowns.vertices, solveUnsymmetric(fullSystem(weights, unknowns), solver, b), image);
 }
 
 }  // namespace authalic

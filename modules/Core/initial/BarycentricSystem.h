@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Core/geometry/Laplacian.h"
+#include "Core/numerics/ElementAssembly.h"
 
 namespace authalic {
 
@@ -15,6 +16,23 @@ namespace authalic {
 /// @throws SolverError when the system is not definite
 void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const std::vector<char>& held,
                       SolverBackend backend, Points2& image);
+
+/// The same for many weights on one mesh: the pattern is found and ordered once.
+class BarycentricSolver {
+ public:
+  BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend);
+
+  /// @param weights  per half-edge, the same both ways
+  /// @throws SolverError when the system is not definite
+  void solve(const HalfEdgeWeights& weights, Points2& image);
+
+ private:
+  const Faces& faces_;
+  std::vector<int> vertices_;           // of each unknown
+  ElementAssembly::Unknowns unknowns_;  // of each corner, −1 where held
+  ElementAssembly assembly_;
+  SparseSolver solver_;
+};
 
 /// The same with different weights each way @cite floater2003, solved by GMRES on both coordinates with the factorised
 /// symmetric part as preconditioner, to 1e-14 of the solution; by sparse LU where that stalls.
