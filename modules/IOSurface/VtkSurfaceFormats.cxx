@@ -26,6 +26,7 @@
 #include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
 #include "LegacyVtkGate.h"
+#include "VtpGate.h"
 
 namespace authalic {
 
@@ -87,6 +88,8 @@ void checkClaims(const std::string& path, const std::string& extension) {
     checkLegacyVtk(path, bytes);
   } else if (extension == ".stl") {
     checkStlClaims(path, bytes);
+  } else {
+    checkVtp(path, bytes);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <cmath>
 #include <optional>
 
 #include "Core/base/Error.h"
@@ -45,6 +46,17 @@ authalic::SurfaceFile statedSpace(vtkPolyData* surface, const std::string& path)
   return stated;
 }
 
+void requireFinitePoints(vtkPolyData* surface, const std::string& path) {
+  double p[3];
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    surface->GetPoint(i, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+      throw authalic::GeometryError(path + ": Finite coordinates are required, but vertex " + std::to_string(i) +
+                                    " has a NaN or infinite one; remove or repair that vertex.");
+    }
+  }
+}
+
 }  // namespace
 
 void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector* outputs,
@@ -58,9 +70,11 @@ void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector*
     authalic::SurfaceFile surface = authalic::readSurface(this->FileName);
     authalic::toScannerRas(surface, space);
     authalic::setSurface(output, surface);
+    requireFinitePoints(output, this->FileName);
     return;
   }
   authalic::readVtkSurface(this->FileName, output);
+  requireFinitePoints(output, this->FileName);
   authalic::SurfaceFile surface = statedSpace(output, this->FileName);
   const bool moves = space.value_or(surface.space) == CoordinateSpace::TkRAS;
   if (moves) {

@@ -29,6 +29,7 @@ VerbHelp convertHelp() {
 }
 
 void runConvert(const ConvertOptions& o, const Session& session) {
+  requireWritable({o.output});
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.input, session, o.space);
   std::vector<std::string> arrays = o.arrays;
   for (const std::string& path : o.data) arrays.push_back(addVertexData(surface, path, "", session));

@@ -54,6 +54,7 @@ int regionId(vtkPolyData* surface, const std::string& array, const std::string& 
 }
 
 void runCut(const CutOptions& o, const Session& session) {
+  requireWritable({o.output, o.json});
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.space);
   vtkNew<vtkCutToDisk> cut;
   if (!o.plane.empty()) {
@@ -89,7 +90,7 @@ void addCut(CLI::App& app, Session& session) {
       ->type_name("X Y Z NX NY NZ")->expected(6)->excludes(region);
   verb->add_flag("--all-regions", o->allRegions, "Remove every connected piece of the region, not only the largest.");
   verb->add_option("--smoothing", o->smoothing, "Averaging passes that take spikes and bays off the rim.")
-      ->type_name("N")->check(CLI::NonNegativeNumber)->default_str(std::to_string(defaults->GetLoopSmoothing()));
+      ->type_name("N")->check(notNegative())->default_str(std::to_string(defaults->GetLoopSmoothing()));
   verb->add_option("--json", o->json, "Areas, loop length and counts.")->type_name("FILE");
   o->space.declare(verb);
   verb->callback([o, &session] { runCut(*o, session); });

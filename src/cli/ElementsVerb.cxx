@@ -71,11 +71,18 @@ void setGrid(vtkElementGrid* grid, const ElementsOptions& o) {
   if (o.frame) grid->SetFrame(choice("--frame", *o.frame, frames));
 }
 
+/// Where the description of a table goes.
+std::string sidecar(const std::string& table) {
+  return table.empty() ? table : std::filesystem::path(table).replace_extension(".json").string();
+}
+
 void checkWritten(bool written, const std::string& path) {
   if (!written) throw Failure(FileProblem, path + ": the table cannot be written there.");
 }
 
 void runElements(const ElementsOptions& o, const Session& session) {
+  if (!o.grid.empty()) requireArrayFormat("--grid", o.grid);
+  requireWritable({o.output, sidecar(o.output), o.regions, sidecar(o.regions), o.grid, o.json});
   vtkSmartPointer<vtkPolyData> map = readSurface(o.map, session, SpaceOption());
   vtkNew<vtkElementStatistics> statistics;
   for (const std::string& field : o.fields) statistics->AddFieldArray(arrayOf(map, field, session));
@@ -111,7 +118,7 @@ void addElements(CLI::App& app, Session& session) {
   verb->add_option("-o,--output", o->output, "One row per element; the description goes beside it as .json.")->type_name("ELEMENTS.tsv")->required();
   CLI::Option* count = verb->add_option("--elements", o->elements, "How many elements are wanted; the nearest grid is taken.")
       ->type_name("N")->check(CLI::Range(1, 4000000))->default_str(std::to_string(defaults->GetNumberOfElements()));
-  verb->add_option("--area", o->area, "Wanted native area of an element, mm².")->type_name("MM2")->check(CLI::PositiveNumber)->excludes(count);
+  verb->add_option("--area", o->area, "Wanted native area of an element, mm².")->type_name("MM2")->check(positive())->excludes(count);
   verb->add_option("--frame", o->frame, "The rectangle that is divided: " + oneOf(frames) + ".")
       ->type_name("NAME")->default_str(frames[static_cast<std::size_t>(defaults->GetFrame())]);
   verb->add_option("--merge-below", o->mergeBelow, "A cell covered by less than this fraction joins a neighbour, 0 to 0.5.")

@@ -40,8 +40,24 @@ VerbHelp extractHelp() {
 
 const std::vector<std::string> endings = {".vtp", ".surf.gii", ""};  // of each format
 
+std::string surfaceName(const ExtractOptions& o, const std::string& side, const std::string& ending) {
+  return o.output + "/" + side + ".white" + ending;
+}
+
+/// The folder may be missing still; then so are the files in it.
+void requireTargets(const ExtractOptions& o, const std::string& ending) {
+  namespace fs = std::filesystem;
+  requireFolder(o.output);
+  const bool exists = fs::is_directory(o.output);
+  const fs::path folder = fs::absolute(o.output + "/").lexically_normal();
+  const bool jsonInside = !o.json.empty() && (fs::absolute(o.json).parent_path() / "").lexically_normal() == folder;
+  if (exists) requireWritable({surfaceName(o, "lh", ending), surfaceName(o, "rh", ending), o.json});
+  else if (!jsonInside) requireWritable({o.json});
+}
+
 void runExtract(const ExtractOptions& o, const Session& session) {
   const std::string ending = endings[static_cast<std::size_t>(choice("--format", o.format, formats))];
+  requireTargets(o, ending);
   const vtkSmartPointer<vtkImageData> t1 = readVolume(o.t1, session);
   vtkNew<vtkCorticalSurface> extract;
   extract->SetInputData(0, t1);
@@ -58,7 +74,7 @@ void runExtract(const ExtractOptions& o, const Session& session) {
   OrderedJson json;
   for (const int port : {0, 1}) {
     const std::string side = port == 0 ? "lh" : "rh";
-    writeSurface(o.output + "/" + side + ".white" + ending, extract->GetOutput(port));
+    writeSurface(surfaceName(o, side, ending), extract->GetOutput(port));
     json[side] = fieldsAsJson(extract->GetOutput(port));
   }
   writeJson(o.json, json);
@@ -76,7 +92,7 @@ void addExtract(CLI::App& app, Session& session) {
   verb->add_option("--convention", o->convention, "What the labels mean: " + oneOf(conventions) + ".")
       ->type_name("NAME")->capture_default_str();
   verb->add_option("--faces", o->faces, "Triangles per hemisphere after decimation; 0 = no decimation.")
-      ->type_name("N")->check(CLI::NonNegativeNumber)->default_str(std::to_string(defaults->GetTargetFaces()));
+      ->type_name("N")->check(notNegative())->default_str(std::to_string(defaults->GetTargetFaces()));
   verb->add_option("--smoothing", o->smoothing, "Pairs of volume-preserving smoothing steps, 0 to 1000.")
       ->type_name("N")->default_str(std::to_string(defaults->GetSmoothingIterations()));
   verb->add_option("--sealing", o->sealing, "Tunnels up to about twice this many voxels wide are sealed, 0 to 5.")

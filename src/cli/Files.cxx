@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include <vtkAbstractArray.h>
@@ -37,6 +38,17 @@ bool isDataFile(const std::string& path) {
     if (endsWith(path, ending)) return true;
   }
   return false;
+}
+
+std::string arrayNames(vtkPolyData* surface) {
+  std::string names;
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(surface->GetCellData())}) {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+      if (data->GetArrayName(i)) names += (names.empty() ? "" : ", ") + std::string(data->GetArrayName(i));
+    }
+  }
+  return names.empty() ? "none" : names;
 }
 
 template <class Writer>
@@ -89,7 +101,50 @@ std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& ar
   if (surface->GetPointData()->HasArray(arrayOrFile.c_str()) || surface->GetCellData()->HasArray(arrayOrFile.c_str())) {
     return arrayOrFile;
   }
+  std::error_code ignored;
+  if (!std::filesystem::exists(arrayOrFile, ignored)) {
+    const bool looksLikePath = arrayOrFile.find_first_of("./") != std::string::npos;
+    throw Failure(looksLikePath ? FileProblem : UsageProblem,
+                  arrayOrFile + ": the name of an array of the surface or of a file is required, but there is neither; "
+                                "the surface has " + arrayNames(surface) + ".");
+  }
   return addVertexData(surface, arrayOrFile, "", session);
+}
+
+void requireWritable(const std::vector<std::string>& paths) {
+  std::set<std::string> seen;
+  for (const std::string& path : paths) {
+    if (path.empty()) continue;
+    try {
+      const AtomicFile probe(path);
+    } catch (const Error& e) {
+      throw Failure(FileProblem, e.what());
+    }
+    if (!seen.insert(std::filesystem::absolute(path).lexically_normal().string()).second) {
+      throw Failure(UsageProblem, path + ": every output needs a name of its own, but two have this one.");
+    }
+  }
+}
+
+void requireArrayFormat(const std::string& option, const std::string& path) {
+  if (endsWith(path, ".vtp") || endsWith(path, ".vtk")) return;
+  throw Failure(UsageProblem, option + " must end in .vtp, which keeps the arrays of a map; it is '" + path + "'.");
+}
+
+void requireFolder(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (path.empty()) throw Failure(UsageProblem, "The name of a folder is required, but it is empty.");
+  std::error_code ignored;
+  fs::path nearest = fs::absolute(path);
+  while (!fs::exists(nearest, ignored) && nearest.has_relative_path()) nearest = nearest.parent_path();
+  if (!fs::is_directory(nearest, ignored)) {
+    throw Failure(FileProblem, path + ": a folder is required, but " + nearest.string() + " is a file.");
+  }
+  try {
+    const AtomicFile probe((nearest / "authalic.probe").string());
+  } catch (const Error&) {
+    throw Failure(FileProblem, path + ": a folder that can be written to is required, but " + nearest.string() + " does not allow it.");
+  }
 }
 
 void writeSurface(const std::string& path, vtkPolyData* surface) {

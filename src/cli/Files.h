@@ -35,6 +35,17 @@ std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::stri
 /// `arrayOrFile` is the name of a point or cell array that is there, or a file to add.
 std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& arrayOrFile, const Session& session);
 
+/// Sees, before anything is computed, that every file named can be written and that no two are the same; empty names
+/// are options that were not given.
+/// @throws Failure
+void requireWritable(const std::vector<std::string>& paths);
+/// Sees that a map's file is of a format that keeps its arrays.
+/// @throws Failure
+void requireArrayFormat(const std::string& option, const std::string& path);
+/// Sees that a folder is there, or can be made, and can be written to.
+/// @throws Failure
+void requireFolder(const std::string& path);
+
 /// Point arrays as a file of per-vertex data when its ending says so, else the whole surface.
 void writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays);
 void writeSurface(const std::string& path, vtkPolyData* surface);

@@ -92,6 +92,7 @@ void printReport(vtkPolyData* surface, const std::string& path, const std::strin
 }
 
 void runInfo(const InfoOptions& options, const Session& session) {
+  requireWritable({options.json});
   const vtkSmartPointer<vtkPolyData> surface = readSurface(options.surface, session, options.space);
   vtkNew<vtkSurfaceTopologyReport> report;
   report->SetInputData(surface);

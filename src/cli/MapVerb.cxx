@@ -118,6 +118,8 @@ void finishMap(vtkDiskMapAlgorithm* filter, const MapOptions& o, const Session& 
 
 void runMap(const MapOptions& o, const Session& session) {
   const int method = choice("METHOD", o.method, methods);
+  requireArrayFormat("--output", o.output);
+  requireWritable({o.output, o.report});
   const vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.space);
   if (o.method == "lie-flow") {
     vtkNew<vtkDiscreteLieFlow> flow;
@@ -144,7 +146,7 @@ void declareFlow(CLI::App* verb, MapOptions& o) {
   verb->add_option("--tolerance", o.tolerance, "Residual sqrt(sum m (r - 1)^2) of vertex stars at which the map is done, > 0.")
       ->type_name("X")->default_str(text(flow->GetTolerance()))->group(group);
   verb->add_option("--max-iterations", o.iterations, "Most steps of the flow.")
-      ->type_name("N")->check(CLI::NonNegativeNumber)->default_str(std::to_string(flow->GetMaximumIterations()))->group(group);
+      ->type_name("N")->check(notNegative())->default_str(std::to_string(flow->GetMaximumIterations()))->group(group);
   verb->add_option("--step-ratio", o.stepRatio, "Step as a part of the first flip of a triangle, between 0 and 1.")
       ->type_name("X")->default_str(text(flow->GetStepRatio()))->group(group);
   verb->add_option("--fixed-step", o.fixedStep, "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh.")

@@ -56,6 +56,7 @@ vtkSmartPointer<vtkPolyData> sampled(const SampleOptions& o, const Session& sess
   vtkNew<vtkSampleVolumeOnSurface> sample;
   sample->SetInputData(0, surface);
   sample->SetInputData(1, volume);
+  if (o.other.empty() && o.mode == modes[2]) throw Failure(UsageProblem, "--mode between-surfaces needs --other: the other surface, with the same vertices.");
   if (!o.other.empty()) sample->SetInputData(2, readSurface(o.other, session, o.space));
   if (o.mode) sample->SetMode(choice("--mode", *o.mode, modes));
   if (o.reducer) sample->SetReducer(choice("--reducer", *o.reducer, reducers));
@@ -87,6 +88,7 @@ vtkSmartPointer<vtkPolyData> labelled(const SampleOptions& o, const Session& ses
 }
 
 void runSample(const SampleOptions& o, const Session& session) {
+  requireWritable({o.output, o.json});
   const vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.space);
   requireScannerSpace(surface, o.surface, "state it with --space scanner-ras or --space tkras.");
   const vtkSmartPointer<vtkImageData> volume = readVolume(o.volume, session);

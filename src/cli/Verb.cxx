@@ -98,7 +98,25 @@ class Page : public CLI::Formatter {
   VerbHelp help_;
 };
 
+CLI::Validator numberCheck(const std::string& required, bool (*holds)(double)) {
+  return CLI::Validator(
+      [required, holds](std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && holds(value);
+        return good ? std::string() : required + " is required; it is '" + text + "'";
+      },
+      std::string());
+}
+
 }  // namespace
+
+CLI::Validator notNegative() {
+  return numberCheck("a number of 0 or more", [](double value) { return value >= 0; });
+}
+
+CLI::Validator positive() {
+  return numberCheck("a number above 0", [](double value) { return value > 0; });
+}
 
 CLI::App* addVerb(CLI::App& app, Session& session, const VerbHelp& help) {
   CLI::App* verb = app.add_subcommand(help.name, help.summary);

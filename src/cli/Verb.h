@@ -38,6 +38,10 @@ void describeProgram(CLI::App& app);
 /// @throws Failure with UsageProblem naming the choices
 [[nodiscard]] int choice(const std::string& option, const std::string& name, const std::vector<std::string>& names);
 
+/// Checks of numbers on the command line, in words of ours.
+[[nodiscard]] CLI::Validator notNegative();
+[[nodiscard]] CLI::Validator positive();
+
 void addInfo(CLI::App& app, Session& session);
 void addMap(CLI::App& app, Session& session);
 void addCut(CLI::App& app, Session& session);
