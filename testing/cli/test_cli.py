@@ -334,15 +334,28 @@ class Results(CommandLine):
 
 
 class Signals(CommandLine):
+    def interrupted(self, surface, delay, which):
+        words = [ARGUMENTS.authalic, "map", "lie-flow", str(surface), "-o", "m.vtp", "--report", "r.json", "--tolerance", "1e-14"]
+        before = set(self.here.iterdir())
+        process = subprocess.Popen(words, cwd=self.here, stderr=subprocess.PIPE, text=True)
+        time.sleep(delay)
+        process.send_signal(which)
+        begin = time.monotonic()
+        said = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, 130, said)
+        self.assertEqual(len(said.splitlines()), 1, said)
+        self.assertLess(time.monotonic() - begin, 5, "2 s on an idle machine")
+        self.assertEqual(set(self.here.iterdir()), before)
+
     def test_an_interrupt_is_130_and_leaves_nothing(self):
-        big = grid(self.here / "big.off", 220)
-        process = subprocess.Popen([ARGUMENTS.authalic, "map", "lie-flow", str(big), "-o", "m.vtp", "--tolerance", "1e-14"],
-                                   cwd=self.here, stderr=subprocess.PIPE, text=True)
-        time.sleep(1.0)
-        process.send_signal(signal.SIGINT)
-        words = process.communicate(timeout=120)[1]
-        self.assertEqual(process.returncode, 130, words)
-        self.assertFalse((self.here / "m.vtp").exists())
+        self.interrupted(grid(self.here / "big.off", 220), 1.0, signal.SIGINT)
+
+    def test_a_scan_is_left_at_any_stage(self):
+        scan = pathlib.Path(ARGUMENTS.data) / "meshes" / "open_disk" / "human_brain.off"
+        if not scan.is_file():
+            self.skipTest(f"{scan} is not there")
+        for delay, which in ((0.6, signal.SIGINT), (1.5, signal.SIGTERM), (4.0, signal.SIGINT)):
+            self.interrupted(scan, delay, which)
 
 
 if __name__ == "__main__":
