@@ -59,10 +59,8 @@ class Hemisphere:
         return arrays.cell_array(cells, "ElementAreaRatio")[arrays.cell_array(cells, "Interior") > 0]
 
     def numbers(self, name):
-        """Field data of a map: distortion, status, elements; without the seconds."""
-        numbers = arrays.field_numbers(self.maps[name])
-        numbers.pop("Seconds", None)  # they differ from run to run
-        return numbers
+        """Field data of a map: distortion, status, elements."""
+        return arrays.field_numbers(self.maps[name])
 
     def shown_field(self):
         """The field of the picture: the T1 in the cortex, else the first there is."""

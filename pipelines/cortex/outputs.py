@@ -56,7 +56,7 @@ def write_data(hemisphere, folder):
     flat = flat_surface(hemisphere)
     annotate(flat, AnatomicalStructurePrimary=structure, GeometricType="Flat", CoordinateSpace="unknown")
     write_surface(flat, folder / "flat.surf.gii")
-    write_surface(without_seconds(hemisphere.flat), folder / "map.vtp")
+    write_surface(hemisphere.flat, folder / "map.vtp")
     for name, _, _ in hemisphere.fields:
         write_values(white, name, folder / f"{name}.func.gii")
     write_labels(hemisphere, white, folder)
@@ -137,13 +137,6 @@ def annotate(surface, **metadata):
         text.SetName(name)
         text.InsertNextValue(value)
         surface.GetFieldData().AddArray(text)
-
-
-def without_seconds(map_):
-    """The map without its computing time, so that two runs give the same bytes."""
-    out = arrays.copy_of(map_)
-    out.GetFieldData().RemoveArray("Seconds")
-    return out
 
 
 def write_surface(surface, path):

@@ -129,7 +129,8 @@ class Usage(CommandLine):
         self.fails(2, *sample, "--depths", "0", "1e9", "1e-9")
         self.assertIn("--other", self.fails(2, *sample, "--mode", "between-surfaces"))
         self.fails(2, *sample, "--labels", "-1")
-        for option, value in (("--smoothing", "5000"), ("--sealing", "nan"), ("--threshold", "nan"), ("--faces", "-1")):
+        for option, value in (("--smoothing", "5000"), ("--sealing", "nan"), ("--threshold", "nan"), ("--threshold", "-5"),
+                              ("--threshold", "1e9"), ("--faces", "-1")):
             self.fails(2, "extract", volume, "-o", "surfaces", option, value)
 
     def test_a_region_that_is_not_there_is_2_or_5(self):

@@ -144,6 +144,19 @@ Cropped prepare(const ScalarVolume& t1, const LabelVolume* labels, const LabelCo
   return out;
 }
 
+void requireThresholdWithin(const Cropped& in, double threshold) {
+  double darkest = std::numeric_limits<double>::infinity(), brightest = -darkest;
+  for (std::size_t v = 0; v < in.t1.size(); ++v) {
+    if (!in.brain.values[v] || !std::isfinite(in.t1.values[v])) continue;
+    darkest = std::min(darkest, static_cast<double>(in.t1.values[v]));
+    brightest = std::max(brightest, static_cast<double>(in.t1.values[v]));
+  }
+  if (threshold > darkest && threshold < brightest) return;
+  throw InvalidArgument("A white-matter threshold between the intensities of the brain, " + std::to_string(darkest) +
+                        " to " + std::to_string(brightest) + ", is required, but it is " + std::to_string(threshold) +
+                        "; 0 takes it from the histogram.");
+}
+
 // (T − θ) / (white − grey) inside the brain, −1 outside and where T is not finite.
 ScalarVolume contrastOf(const Cropped& in, const IntensityClasses& classes, const WhiteMatterOptions& options,
                         const Execution& execution) {
@@ -371,6 +384,7 @@ WhiteMatter segmentWhiteMatter(const ScalarVolume& t1, const LabelVolume* labels
   WhiteMatter wm;
   wm.brainVolume = in.t1.voxelVolume() *
                    static_cast<double>(std::count(in.brain.values.begin(), in.brain.values.end(), 1));
+  if (options.threshold != 0) requireThresholdWithin(in, options.threshold);
   wm.frame = findBrainFrame(in.t1, in.brain, execution);
   execution.report(0.2, "intensity classes");
   wm.classes = estimateIntensityClasses(in.t1, in.brain);

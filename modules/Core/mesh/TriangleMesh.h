@@ -2,16 +2,9 @@
 /// A triangle mesh as plain arrays, checked once at construction.
 #pragma once
 
-#include <Eigen/Core>
+#include "Core/base/Arrays.h"
 
 namespace authalic {
-
-/// n×3, one point per row (mm for surfaces; unitless for images of a map).
-using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// n×2, one planar point per row.
-using Points2 = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
-/// m×3, vertex indices of one triangle per row, counter-clockwise seen from outside.
-using Faces = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Points and triangles. Guarantees: every coordinate is finite, every index lies in [0, n), and no
 /// face names a vertex twice. Says nothing about manifoldness: see SurfaceTopology and MeshReport.

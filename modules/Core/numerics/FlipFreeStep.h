@@ -2,8 +2,8 @@
 /// How far a planar mesh may move along given velocities before its first triangle collapses.
 #pragma once
 
+#include "Core/base/Arrays.h"
 #include "Core/base/Execution.h"
-#include "Core/mesh/TriangleMesh.h"
 
 namespace authalic {
 
