@@ -17,6 +17,7 @@ constexpr double kSmallestRatio = 0.02;  // of face areas, in the weights
 // The faces nearly determine the map: with less damping the last face-scale errors are bought with long slides along
 // the curves of equal area, away from the gradient flow.
 constexpr double kSmallestDamping = 0.01;
+constexpr double kPinned = 0.25;      // of the step: faces that collapse before twice this are slowed by themselves
 constexpr double kMostFolded = 0.02;  // share of faces above which a whole step is not worth unfolding
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -83,7 +84,7 @@ class AreaSystem {
     solver_.analyze(assembly_.matrix());
   }
 
-  // E = Σ (a_t − S m_t)² / (S m_t) with S = Σ a, divided by S; infinite when a face is folded.
+  // E = Σ w_t (q_t − m_t)² with q = a / Σ a and the weights of the last linearisation; infinite when a face is folded.
   [[nodiscard]] double energy(const Points2& image) const {
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
@@ -96,7 +97,7 @@ class AreaSystem {
     gradients_.resize(faces_.rows(), 6);
     const Eigen::VectorXd areas = signedFaceAreas(image, faces_);
     const double total = areas.sum();
-    weight_ = (target_.array() * total * (areas.array() / (target_.array() * total)).max(kSmallestRatio).min(1)).inverse();
+    weight_ = inverseShares(areas.array() / total) / total;
     right_ = Eigen::VectorXd::Zero(displacements_.count());
     for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
       for (int k = 0; k < 3; ++k) {
@@ -121,6 +122,10 @@ class AreaSystem {
   }
 
  private:
+  [[nodiscard]] Eigen::ArrayXd inverseShares(const Eigen::ArrayXd& share) const {
+    return share.max(kSmallestRatio * target_.array()).min(target_.array()).max(1e-300).inverse();
+  }
+
   // Inner product of the directions (v, d) and (w, e) of two corners.
   [[nodiscard]] double product(int v, int d, int w, int e) const {
     const auto direction = [this](int u, int c) {
@@ -153,6 +158,20 @@ class AreaSystem {
   Eigen::VectorXd weight_, right_;
 };
 
+// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
+Points2 slowedWhereFacesCollapse(const Points2& image, const Faces& faces, Points2 delta) {
+  for (int pass = 0; pass < 20; ++pass) {
+    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+      const double half = 0.5 * firstFlip(image, delta, faces(f, 0), faces(f, 1), faces(f, 2));
+      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
+    }
+    if (part.minCoeff() == 1) break;
+    delta.array().colwise() *= part.array();
+  }
+  return delta;
+}
+
 // Where a step leads, and its energy; step 0 when no step was found.
 struct Move {
   Points2 image;
@@ -175,14 +194,14 @@ Move searchLine(const AreaSystem& system, const SlidingBoundary& sliding, const 
 }
 
 // The whole step, with the few faces that fold on the way unfolded in place.
-Move stepAndUnfold(const DiskMesh& disk, const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image,
+Move wholeStep(const DiskMesh& disk, const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image,
                    const Points2& delta) {
   Move move;
   move.image = image + delta;
   sliding.retract(move.image);
   const int folded = countFlippedFaces(move.image, disk.mesh().faces());
   if (folded > kMostFolded * disk.mesh().faceCount()) return {};
-  if (folded > 0) move.image = unfold(disk.topology(), move.image).image;
+  if (folded > 0) move.image = unfold(disk.topology(), move.image, {}, UnfoldReach::Patches).image;
   move.energy = system.energy(move.image);
   move.step = 1;
   return move;
@@ -210,11 +229,11 @@ void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const Targ
     system.linearise(result.image);
     energy = system.energy(result.image);
     const Points2 delta = system.step(damping);
-    const double limit = flipFreeStep(result.image, delta, faces, execution);
-    Move move = searchLine(system, sliding, result.image, delta, std::min(1.0, 0.9 * limit), energy);
-    if (0.9 * limit < 1) {
-      Move whole = stepAndUnfold(disk, system, sliding, result.image, delta);
-      if (whole.energy < std::min(energy, move.energy)) move = std::move(whole);
+    Move move = wholeStep(disk, system, sliding, result.image, delta);
+    if (!(move.energy < energy)) {
+      const Points2 slowed = slowedWhereFacesCollapse(result.image, faces, delta);
+      const double limit = flipFreeStep(result.image, slowed, faces, execution);
+      move = searchLine(system, sliding, result.image, slowed, std::min(1.0, 0.9 * limit), energy);
     }
     now.step = move.step;
     if (now.step > 0) result.image = std::move(move.image);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricSystem.h"
 
@@ -34,9 +35,18 @@ std::vector<char> cornersOfFolds(const Faces& faces, const Points2& image) {
   return marked;
 }
 
+// With the image's own mean-value weights; with equal ones where collapsed triangles make those unusable.
+void embed(const Faces& faces, const std::vector<char>& held, Points2& image) {
+  try {
+    solveBarycentric(faces, meanValueWeights(image, faces), held, SolverBackend::Automatic, image);
+  } catch (const SolverError&) {
+    solveBarycentric(faces, HalfEdgeWeights::Constant(faces.rows(), 3, 1.0), held, SolverBackend::Automatic, image);
+  }
+}
+
 }  // namespace
 
-UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution) {
+UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution, UnfoldReach reach) {
   UnfoldResult result{std::move(image), 0, 0, 0};
   const Faces& faces = topology.faces();
   for (int rings = 2;; rings *= 2) {
@@ -47,11 +57,12 @@ UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execut
     grow(faces, rings, held);
     result.movedVertices = static_cast<int>(std::count(held.begin(), held.end(), 1));
     if (rings > kMostRings || 2 * result.movedVertices > topology.vertexCount()) {
+      if (reach == UnfoldReach::Patches) return result;
       std::fill(held.begin(), held.end(), 1);
       result.movedVertices = topology.vertexCount();
     }
     for (std::size_t v = 0; v < held.size(); ++v) held[v] = !held[v] || topology.onBoundary()[v];
-    solveBarycentric(faces, meanValueWeights(result.image, faces), held, SolverBackend::Automatic, result.image);
+    embed(faces, held, result.image);
     ++result.rounds;
   }
 }

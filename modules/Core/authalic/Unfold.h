@@ -9,6 +9,8 @@
 
 namespace authalic {
 
+enum class UnfoldReach { Patches, WholeMesh };
+
 struct UnfoldResult {
   Points2 image;
   int rounds = 0;
@@ -23,7 +25,10 @@ struct UnfoldResult {
 /// @cite floater2003: positive everywhere, and such that a vertex without a fold around it is already at its mean. So
 /// the image changes near folds only; and when a patch grows to the whole mesh, the result is a barycentric map with
 /// positive weights: no folds when the boundary is convex and in order.
+/// Where collapsed triangles make those weights unusable, equal weights take their place.
 /// Boundary vertices never move. Complexity: one sparse solve per round on the patches.
-[[nodiscard]] UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution = {});
+/// With UnfoldReach::Patches folds are left where patches of 32 rings do not suffice.
+[[nodiscard]] UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution = {},
+                                  UnfoldReach reach = UnfoldReach::WholeMesh);
 
 }  // namespace authalic
