@@ -25,6 +25,7 @@ from render import Display
 from stages import StageError, Stages
 
 FAST_FACES = 80000  # triangles per hemisphere with --fast
+FACES = 140000  # per hemisphere at 0.5 mm
 
 
 def read_volume(path, name, stages):
@@ -37,8 +38,7 @@ def read_volume(path, name, stages):
 def extract(t1, labels, options):
     """The white surfaces: output port 0 is the left hemisphere, 1 the right."""
     surfaces = authalic.vtkCorticalSurface()
-    if options.faces or options.fast:
-        surfaces.SetTargetFaces(options.faces or FAST_FACES)
+    surfaces.SetTargetFaces(options.faces or (FAST_FACES if options.fast else FACES))
     surfaces.SetInputConnection(0, t1.GetOutputPort())
     if labels is not None:
         surfaces.SetInputConnection(1, labels.GetOutputPort())

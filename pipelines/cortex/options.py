@@ -31,7 +31,7 @@ def parse(arguments=None):
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/cortex"), metavar="DIR",
                         help="folder for results (default: %(default)s)")
     parser.add_argument("--fast", action="store_true", help="coarser surfaces, and the 1 mm T1 of mricron-data by default")
-    parser.add_argument("--faces", type=positive, metavar="N", help="triangles per hemisphere")
+    parser.add_argument("--faces", type=positive, metavar="N", help="triangles per hemisphere (140000; 80000 with --fast)")
     parser.add_argument("--elements", type=positive, metavar="N", help="elements per hemisphere")
     parser.add_argument("--element-area", type=float, metavar="MM2", help="area of an element instead of their number")
     parser.add_argument("--no-pictures", action="store_true", help="data only, no pictures and no index.html")

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "Core/authalic/LieFlowStages.h"
 #include "Core/geometry/Areas.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kRounds = 15;
 constexpr double kGoodEnough = 0.035;  // mean |ln r| of the stars: the least-squares steps do the rest faster
+constexpr double kCollapsed = -4.6;    // ln of 1e-2
 constexpr double kLargestLog = 30;     // of a ratio in one round, so that collapsed faces keep finite weights
 
 // ln of (share of x / share of target), clamped; 0 where the target is.
@@ -35,28 +37,78 @@ void reweight(const SurfaceTopology& topology, const Eigen::VectorXd& stars, con
   weights /= weights.mean();
 }
 
-}  // namespace
+// Σ m_t (r_t + 1/r_t); infinite when a face with a target has no positive area.
+double areaDistortion(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets) {
+  const double scale = targets.sum() / areas.sum();
+  double sum = 0;
+  for (Eigen::Index f = 0; f < areas.size(); ++f) {
+    if (!(areas[f] > 0)) return std::numeric_limits<double>::infinity();
+    if (targets[f] > 0) sum += areas[f] * scale + targets[f] * targets[f] / (areas[f] * scale);
+  }
+  return sum;
+}
 
-Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
-                      const Execution& execution) {
+Points2 balance(const DiskMesh& disk, const Points2& image, const std::vector<char>& held, const TargetMeasure& target,
+                SolverBackend backend, double goodEnough, const Execution& execution) {
   const Faces& faces = disk.mesh().faces();
-  BarycentricSolver solver(faces, disk.topology().onBoundary(), backend);
+  BarycentricSolver solver(faces, held, backend);
   HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
   Points2 best = image, current = image;
-  double least = std::numeric_limits<double>::infinity();
-  for (int round = 0; round < kRounds && least > kGoodEnough && !execution.cancelled(); ++round) {
+  double least = areaDistortion(signedFaceAreas(image, faces), target.faces()), error = 1;
+  for (int round = 0; round < kRounds && error > goodEnough && !execution.cancelled(); ++round) {
     execution.report(double(round) / kRounds, "Balancing the start");
     solver.solve(weights, current);
     const Eigen::VectorXd areas = signedFaceAreas(current, faces);
     const Eigen::VectorXd stars = vertexStars(areas, faces, disk.mesh().vertexCount());
-    const double error = measureStars(stars, target.vertices()).meanAbsLog;
-    if (error < least && areas.minCoeff() > 0) {
-      least = error;
+    const double distortion = areaDistortion(areas, target.faces());
+    error = measureStars(stars, target.vertices()).meanAbsLog;
+    if (distortion < least) {
+      least = distortion;
       best = current;
     }
     reweight(disk.topology(), logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
   }
   return best;
+}
+
+// Marks what a patch may not move: everything more than `rings` edges from a collapsed face, and the boundary.
+std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& collapsed, int rings) {
+  std::vector<char> marked = collapsed;
+  const Faces& faces = disk.mesh().faces();
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = marked;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+      const auto corner = [&](int k) { return static_cast<std::size_t>(faces(f, k)); };
+      if (before[corner(0)] || before[corner(1)] || before[corner(2)]) {
+        for (int k = 0; k < 3; ++k) marked[corner(k)] = 1;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < marked.size(); ++v) marked[v] = !marked[v] || disk.topology().onBoundary()[v];
+  return marked;
+}
+
+}  // namespace
+
+Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
+                      const Execution& execution) {
+  return balance(disk, image, disk.topology().onBoundary(), target, backend, kGoodEnough, execution);
+}
+
+Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
+                             SolverBackend backend) {
+  Points2 result = image;
+  for (const int rings : {3, 6, 12}) {
+    const Eigen::VectorXd logs = logRatios(signedFaceAreas(result, disk.mesh().faces()), target.faces());
+    std::vector<char> collapsed(static_cast<std::size_t>(disk.mesh().vertexCount()), 0);
+    for (Eigen::Index f = 0; f < logs.size(); ++f) {
+      if (logs[f] > kCollapsed) continue;
+      for (int k = 0; k < 3; ++k) collapsed[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
+    }
+    if (std::find(collapsed.begin(), collapsed.end(), 1) == collapsed.end()) return result;
+    result = balance(disk, result, heldAround(disk, collapsed, rings), target, backend, 0, {});
+  }
+  return result;
 }
 
 }  // namespace authalic

@@ -13,6 +13,8 @@
 namespace authalic {
 namespace {
 
+constexpr int kMatchPasses = 3;
+
 void require(bool condition, const std::string& required, double found) {
   if (condition) return;
   throw InvalidArgument("Discrete Lie flow: " + required + " is required, but it is " + std::to_string(found) + ".");
@@ -73,6 +75,21 @@ Start prepareStart(const DiskMesh& disk, const BoundaryPlacement& placement, con
   return start;
 }
 
+// Matching may leave a few faces of tiny targets collapsed; reviving them disturbs their neighbours, hence the passes.
+void matchAndRevive(const DiskMesh& disk, const SlidingBoundary& sliding, const TargetMeasure& target,
+                    const DiscreteLieFlowOptions& options, const Execution& execution, DiscreteLieFlowResult& result) {
+  int iterations = 0;
+  for (int pass = 0; pass < kMatchPasses; ++pass) {
+    matchAreas(disk, sliding, target, options, execution, result);
+    iterations += result.finishIterations;
+    if (result.status == Status::Cancelled) break;
+    Points2 revived = reviveCollapsedFaces(disk, result.image, target, options.solver);
+    if (revived == result.image) break;
+    result.image = std::move(revived);
+  }
+  result.finishIterations = iterations;
+}
+
 void measureResult(const DiskMesh& disk, const TargetMeasure& target, double tolerance, DiscreteLieFlowResult& result) {
   const Faces& faces = disk.mesh().faces();
   const Eigen::VectorXd stars = vertexStars(signedFaceAreas(result.image, faces), faces, disk.mesh().vertexCount());
@@ -80,6 +97,7 @@ void measureResult(const DiskMesh& disk, const TargetMeasure& target, double tol
   result.flippedFaces = countFlippedFaces(result.image, faces);
   const bool good = result.residual <= tolerance && result.flippedFaces == 0;
   if (result.status == Status::Converged && !good) result.status = Status::NotConverged;
+  if (result.status == Status::NotConverged && good) result.status = Status::Converged;
 }
 
 }  // namespace
@@ -117,7 +135,7 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
     result.unfoldSeconds = watch.lap();
   }
   if (options.finish == LieFlowFinish::Match && result.status != Status::Cancelled) {
-    matchAreas(disk, sliding, target, options, execution.part(0.6, 1), result);
+    matchAndRevive(disk, sliding, target, options, execution.part(0.6, 1), result);
     result.finishSeconds = watch.lap();
   }
   measureResult(disk, target, options.tolerance, result);
