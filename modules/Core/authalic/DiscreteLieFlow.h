@@ -29,7 +29,7 @@ struct DiscreteLieFlowOptions {
   double stepRatio = 0.6;     ///< μ of the adaptive step, in (0, 1)
   double fixedStep = 0;       ///< > 0: this step instead of the adaptive one (may collapse the mesh)
   LieFlowFinish finish = LieFlowFinish::Match;
-  int maxFinishIterations = 40;  ///< least-squares steps, ≥ 0
+  int maxFinishIterations = 40;  ///< least-squares steps of one pass, ≥ 0; further passes (3 at most) where faces had collapsed
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -50,7 +50,7 @@ struct DiscreteLieFlowResult {
   Status status = Status::NotRun; ///< Converged: residual ≤ tolerance on the original connectivity, and no fold
   bool balancedStart = false;     ///< the initial map was too far off and was balanced first, see discreteLieFlow
   int iterations = 0;             ///< steps of the flow
-  int finishIterations = 0;       ///< steps of the finish
+  int finishIterations = 0;       ///< steps of the finish, all passes
   double residual = 0;            ///< of `image` on the original connectivity
   bool collapsed = false;         ///< a fixed step folded the flowing mesh; the image is the one before that step
   int edgeFlips = 0;              ///< total of the flow

@@ -195,7 +195,7 @@ Move searchLine(const AreaSystem& system, const SlidingBoundary& sliding, const 
 
 // The whole step, with the few faces that fold on the way unfolded in place.
 Move wholeStep(const DiskMesh& disk, const AreaSystem& system, const SlidingBoundary& sliding, const Points2& image,
-                   const Points2& delta) {
+               const Points2& delta) {
   Move move;
   move.image = image + delta;
   sliding.retract(move.image);
@@ -212,7 +212,7 @@ Move wholeStep(const DiskMesh& disk, const AreaSystem& system, const SlidingBoun
 void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const TargetMeasure& target,
                 const DiscreteLieFlowOptions& options, const Execution& execution, DiscreteLieFlowResult& result) {
   AreaSystem system(disk, sliding, target, options.solver);
-  double damping = 1, energy = 0;
+  double damping = 1;
   result.status = Status::NotConverged;
   int failures = 0;
   for (result.finishIterations = 0;; ++result.finishIterations) {
@@ -227,7 +227,7 @@ void matchAreas(const DiskMesh& disk, const SlidingBoundary& sliding, const Targ
     execution.report(double(result.finishIterations) / options.maxFinishIterations, "Matching areas");
 
     system.linearise(result.image);
-    energy = system.energy(result.image);
+    const double energy = system.energy(result.image);
     const Points2 delta = system.step(damping);
     Move move = wholeStep(disk, system, sliding, result.image, delta);
     if (!(move.energy < energy)) {
