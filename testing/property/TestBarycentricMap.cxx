@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <complex>
 #include <numeric>
-#include <random>
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -24,16 +23,6 @@ BarycentricMapOptions withWeights(BarycentricWeights weights, const PlanarDomain
 
 const BarycentricWeights kAllWeights[] = {BarycentricWeights::Uniform, BarycentricWeights::Harmonic,
                                           BarycentricWeights::MeanValue};
-
-// Vertices at random places over the disk: bad angles, no symmetry.
-TriangleMesh roughDisk(int rings, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  const TriangleMesh flat = diskMesh(rings);
-  Points3 points = flat.points();
-  for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] += 0.45 / rings * uniform(random);
-  return TriangleMesh(points, flat.faces());
-}
 
 // A triangle on a straight run of the boundary whose three vertices all lie on the boundary, twice nested.
 TriangleMesh gridWithPocket() {

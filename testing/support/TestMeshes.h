@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -86,6 +87,16 @@ inline TriangleMesh bumpyDisk(int rings, double height = 0.5) {
     const double x = points(i, 0), y = points(i, 1);
     points(i, 2) = height * (std::sin(3 * x + 1) * std::cos(4 * y) + 0.5 * std::exp(-8 * ((x - 0.3) * (x - 0.3) + y * y)));
   }
+  return TriangleMesh(points, flat.faces());
+}
+
+/// Vertices at random places over the disk: bad angles, no symmetry.
+inline TriangleMesh roughDisk(int rings, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const TriangleMesh flat = diskMesh(rings);
+  Points3 points = flat.points();
+  for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] += 0.45 / rings * uniform(random);
   return TriangleMesh(points, flat.faces());
 }
 

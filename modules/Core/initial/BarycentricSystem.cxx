@@ -9,12 +9,11 @@
 #include <utility>
 
 #include "Core/base/Error.h"
+#include "Core/initial/DirectedSystem.h"
 #include "Core/numerics/ElementAssembly.h"
 
 namespace authalic {
 namespace {
-
-using RowMajorMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 struct Unknowns {
   std::vector<int> ofVertex;    // −1 where held
@@ -46,33 +45,6 @@ std::vector<double> elementValues(const HalfEdgeWeights& weights) {
   return values;
 }
 
-// The symmetric part of the system: the system itself for symmetric weights.
-SparseMatrix symmetricSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
-  ElementAssembly assembly(static_cast<int>(unknowns.vertices.size()), unknowns.ofFace);
-  return assembly.assemble(elementValues(0.5 * (weights.forward + weights.backward)));
-}
-
-RowMajorMatrix fullSystem(const MeanValueWeights& weights, const Unknowns& unknowns) {
-  std::vector<Eigen::Triplet<double, int>> entries;
-  entries.reserve(static_cast<std::size_t>(12 * unknowns.ofFace.rows()));
-  const auto add = [&entries](int i, int j, double w) {
-    if (i < 0) return;
-    entries.emplace_back(i, i, w);
-    if (j >= 0) entries.emplace_back(i, j, -w);
-  };
-  for (Eigen::Index f = 0; f < unknowns.ofFace.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int i = unknowns.ofFace(f, k), j = unknowns.ofFace(f, (k + 1) % 3);
-      add(i, j, weights.forward(f, k));
-      add(j, i, weights.backward(f, k));
-    }
-  }
-  const auto n = static_cast<Eigen::Index>(unknowns.vertices.size());
-  RowMajorMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
 // What the held neighbours contribute. @param forward, backward  weights seen from tail and head of each half-edge
 Eigen::MatrixXd rightHandSide(const Faces& faces, const HalfEdgeWeights& forward, const HalfEdgeWeights& backward,
                               const ElementAssembly::Unknowns& unknowns, std::size_t unknownCount,
@@ -93,12 +65,12 @@ class PairedGmres {
  public:
   static constexpr int kDimension = 30;
 
-  PairedGmres(const RowMajorMatrix& matrix, const SparseSolver& preconditioner)
+  PairedGmres(const DirectedSystem& matrix, const SparseSolver& preconditioner)
       : matrix_(matrix), preconditioner_(preconditioner) {}
 
   // Improves x; returns the largest relative preconditioned residual reached.
   double cycle(const Eigen::MatrixXd& b, const Eigen::Vector2d& scale, double tolerance, Eigen::MatrixXd& x) {
-    std::vector<Eigen::MatrixXd> basis{preconditioner_.solve(b - matrix_ * x)};
+    std::vector<Eigen::MatrixXd> basis{preconditioner_.solve(b - matrix_.multiply(x))};
     Eigen::Vector2d worst(0, 0);
     for (int c = 0; c < 2; ++c) {
       start_[c] = basis[0].col(c).norm();
@@ -107,7 +79,7 @@ class PairedGmres {
     }
     int used = 0;
     while (used < kDimension) {
-      basis.push_back(preconditioner_.solve(matrix_ * basis.back()));
+      basis.push_back(preconditioner_.solve(matrix_.multiply(basis.back())));
       orthogonalise(basis, used++);
       for (int c = 0; c < 2; ++c) worst[c] = leastSquares(c, used) / std::max(scale[c], 1e-300);
       if (worst.maxCoeff() <= tolerance) break;
@@ -141,27 +113,32 @@ class PairedGmres {
     return (right - h * coefficients_[c]).norm();
   }
 
-  const RowMajorMatrix& matrix_;
+  const DirectedSystem& matrix_;
   const SparseSolver& preconditioner_;
   std::array<Eigen::MatrixXd, 2> hessenberg_;
   std::array<Eigen::VectorXd, 2> coefficients_;
   std::array<double, 2> start_{};
 };
 
-Eigen::MatrixXd solveUnsymmetric(const RowMajorMatrix& matrix, const SparseSolver& preconditioner,
-                                 const Eigen::MatrixXd& b) {
-  Eigen::MatrixXd x = preconditioner.solve(b);
-  const Eigen::Vector2d scale(x.col(0).norm(), x.col(1).norm());
-  PairedGmres gmres(matrix, preconditioner);
-  for (int restart = 0; restart < 4; ++restart) {
-    if (gmres.cycle(b, scale, 1e-14, x) <= 1e-13) return x;
-  }
-  const Eigen::SparseLU<Eigen::SparseMatrix<double>> direct{Eigen::SparseMatrix<double>(matrix)};
+// The whole matrix, where only a factorisation with pivoting helps.
+Eigen::MatrixXd solveDirectly(const DirectedSystem& system, const Eigen::MatrixXd& b) {
+  const Eigen::SparseLU<Eigen::SparseMatrix<double>> direct{system.matrix()};
   if (direct.info() != Eigen::Success) {
     throw SolverError("A regular mean-value system is required, but its factorisation failed; "
                       "look for degenerate triangles, or use tutte.");
   }
   return direct.solve(b);
+}
+
+Eigen::MatrixXd solveUnsymmetric(const DirectedSystem& system, const SparseSolver& preconditioner,
+                                 const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd x = preconditioner.solve(b);
+  const Eigen::Vector2d scale(x.col(0).norm(), x.col(1).norm());
+  PairedGmres gmres(system, preconditioner);
+  for (int restart = 0; restart < 4; ++restart) {
+    if (gmres.cycle(b, scale, 1e-14, x) <= 1e-13) return x;
+  }
+  return solveDirectly(system, b);
 }
 
 void store(const std::vector<int>& vertices, const Eigen::MatrixXd& x, Points2& image) {
@@ -179,9 +156,9 @@ void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const 
                       SolverBackend backend, Points2& image) {
   const Unknowns unknowns = numberFreeVertices(faces, held);
   if (unknowns.vertices.empty()) return;
-  const MeanValueWeights both{weights, weights};
+  ElementAssembly assembly(static_cast<int>(unknowns.vertices.size()), unknowns.ofFace);
   SparseSolver solver(backend);
-  solver.compute(symmetricSystem(both, unknowns));
+  solver.compute(assembly.assemble(elementValues(weights)));
   const Eigen::MatrixXd b = rightHandSide(faces, weights, weights, unknowns.ofFace, unknowns.vertices.size(), image);
   store(unknowns.vertices, solver.solve(b), image);
 }
@@ -204,11 +181,13 @@ void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const
                       SolverBackend backend, Points2& image) {
   const Unknowns unknowns = numberFreeVertices(faces, held);
   if (unknowns.vertices.empty()) return;
+  const int count = static_cast<int>(unknowns.vertices.size());
+  const DirectedSystem system(weights, unknowns.ofFace, count);
   SparseSolver solver(backend);
-  solver.compute(symmetricSystem(weights, unknowns));
-  const Eigen::MatrixXd b =
+  solver.compute(system.symmetricPart());
+  const Eigen::MatrixXd b = system.scale().asDiagonal() *
       rightHandSide(faces, weights.forward, weights.backward, unknowns.ofFace, unknowns.vertices.size(), image);
-  store(unknowns.vertices, solveUnsymmetric(fullSystem(weights, unknowns), solver, b), image);
+  store(unknowns.vertices, solveUnsymmetric(system, solver, b), image);
 }
 
 }  // namespace authalic

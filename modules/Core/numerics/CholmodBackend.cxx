@@ -7,12 +7,16 @@
 
 #include "Core/base/Error.h"
 
-#ifdef AUTHALIC_HAVE_OPENBLAS
 extern "C" {
+#ifdef AUTHALIC_HAVE_OPENBLAS
 void openblas_set_num_threads(int);
 int openblas_get_num_threads(void);
-}
 #endif
+#ifdef AUTHALIC_HAVE_GOMP
+void omp_set_max_active_levels(int);
+int omp_get_max_active_levels(void);
+#endif
+}
 #endif
 
 namespace authalic {
@@ -20,25 +24,32 @@ namespace authalic {
 #ifdef AUTHALIC_HAVE_CHOLMOD
 namespace {
 
-// One BLAS thread inside, the caller's setting outside: sums are then taken in one order only.
-class SingleBlasThread {
- public:
-#ifdef AUTHALIC_HAVE_OPENBLAS
-  SingleBlasThread() : before_(openblas_get_num_threads()) {
-    if (before_ != 1) openblas_set_num_threads(1);
-  }
-  ~SingleBlasThread() {
-    if (before_ != 1) openblas_set_num_threads(before_);
-  }
-#else
-  SingleBlasThread() = default;
-  ~SingleBlasThread() = default;
+#ifndef AUTHALIC_HAVE_OPENBLAS
+void openblas_set_num_threads(int) {}
+int openblas_get_num_threads() { return 1; }
 #endif
-  SingleBlasThread(const SingleBlasThread&) = delete;
-  SingleBlasThread& operator=(const SingleBlasThread&) = delete;
+#ifndef AUTHALIC_HAVE_GOMP
+void omp_set_max_active_levels(int) {}
+int omp_get_max_active_levels() { return 0; }
+#endif
+
+// One thread inside, the caller's setting outside: sums are then taken in one order only, and the many small
+// fronts of a surface mesh do not wait for threads to wake.
+class SingleThread {
+ public:
+  SingleThread() : blasThreads_(openblas_get_num_threads()), levels_(omp_get_max_active_levels()) {
+    if (blasThreads_ != 1) openblas_set_num_threads(1);
+    omp_set_max_active_levels(0);
+  }
+  ~SingleThread() {
+    if (blasThreads_ != 1) openblas_set_num_threads(blasThreads_);
+    omp_set_max_active_levels(levels_);
+  }
+  SingleThread(const SingleThread&) = delete;
+  SingleThread& operator=(const SingleThread&) = delete;
 
  private:
-  int before_ = 1;
+  int blasThreads_, levels_;
 };
 
 // CHOLMOD's C structures do not know const; it reads the matrix only.
@@ -84,13 +95,13 @@ class CholmodBackend final : public SparseSolver::Backend {
   }
 
   bool factorize(const SparseMatrix& lower) override {
-    const SingleBlasThread single;
+    const SingleThread single;
     cholmod_sparse view = viewOf(lower);
     return cholmod_factorize(&view, factor_, &common_) != 0 && common_.status == CHOLMOD_OK;
   }
 
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSides) const override {
-    const SingleBlasThread single;
+    const SingleThread single;
     cholmod_dense view{};
     view.nrow = view.d = static_cast<std::size_t>(rightHandSides.rows());
     view.ncol = static_cast<std::size_t>(rightHandSides.cols());
