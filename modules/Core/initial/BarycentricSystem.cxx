@@ -136,7 +136,7 @@ Eigen::MatrixXd solveUnsymmetric(const DirectedSystem& system, const SparseSolve
   const Eigen::Vector2d scale(x.col(0).norm(), x.col(1).norm());
   PairedGmres gmres(system, preconditioner);
   for (int restart = 0; restart < 4; ++restart) {
-    if (gmres.cycle(b, scale, 1e-14, x) <= 1e-13) return x;
+    if (gmres.cycle(b, scale, 1e-13, x) <= 1e-13) return x;
   }
   return solveDirectly(system, b);
 }

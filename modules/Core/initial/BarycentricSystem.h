@@ -34,8 +34,8 @@ class BarycentricSolver {
   SparseSolver solver_;
 };
 
-/// The same with different weights each way @cite floater2003, solved by GMRES on both coordinates with the factorised
-/// symmetric part as preconditioner, to 1e-14 of the solution; by sparse LU where that stalls.
+/// The same with different weights each way @cite floater2003, rows scaled towards symmetry, solved by GMRES on both
+/// coordinates with the factorised symmetric part as preconditioner, to 1e-13 of the solution; by sparse LU where that stalls.
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
                       SolverBackend backend, Points2& image);
 

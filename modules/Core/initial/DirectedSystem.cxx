@@ -1,13 +1,14 @@
 #include "Core/initial/DirectedSystem.h"
 
+#include <Eigen/IterativeLinearSolvers>
+
 #include <cmath>
 #include <vector>
 
 namespace authalic {
 namespace {
 
-constexpr int kSweeps = 12;
-constexpr double kDamping = 0.8;
+constexpr int kScaleIterations = 20;  // more save less in GMRES than they cost
 
 // fn(i, j, entry) for every entry (i, j), i > j, of a lower-triangular pattern.
 template <class Function>
@@ -17,6 +18,11 @@ void forEdges(const SparseMatrix& pattern, const Function& fn) {
       if (pattern.innerIndexPtr()[k] != j) fn(pattern.innerIndexPtr()[k], j, k);
     }
   }
+}
+
+// The diagonal entry comes first in every column of a lower triangle.
+void setDiagonal(const Eigen::VectorXd& diagonal, SparseMatrix& lower) {
+  for (int j = 0; j < lower.cols(); ++j) lower.valuePtr()[lower.outerIndexPtr()[j]] = diagonal[j];
 }
 
 // Element matrices whose off-diagonal entries are the weights seen from the greater unknown, or from the smaller.
@@ -50,30 +56,23 @@ DirectedSystem::DirectedSystem(const MeanValueWeights& weights, const ElementAss
 
 void DirectedSystem::balance() {
   const double *w = lower_.valuePtr(), *v = upper_.valuePtr();
-  const Eigen::Index n = lower_.rows();
-  std::vector<double> stiffness(static_cast<std::size_t>(lower_.nonZeros()), 0.0);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(n), diagonal = right;
+  SparseMatrix stiffness = lower_;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(lower_.rows()), diagonal = right;
   forEdges(lower_, [&](int i, int j, int k) {
-    const double product = w[k] * v[k], asymmetry = std::log(v[k] / w[k]);
-    if (!(product > 0) || !std::isfinite(asymmetry)) return;
-    const double q = stiffness[static_cast<std::size_t>(k)] = std::sqrt(product);
+    const double asymmetry = std::log(v[k] / w[k]);
+    const double q = std::isfinite(asymmetry) ? std::sqrt(w[k] * v[k]) : 0.0;
+    stiffness.valuePtr()[k] = -q;
+    if (q == 0) return;
     right[i] += q * asymmetry;
     right[j] -= q * asymmetry;
     diagonal[i] += q;
     diagonal[j] += q;
   });
-  const Eigen::VectorXd step = (diagonal.array() > 0).select(kDamping / diagonal.array(), 0.0);
-  Eigen::VectorXd logScale = Eigen::VectorXd::Zero(n), residual(n);
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    residual = right;
-    forEdges(lower_, [&](int i, int j, int k) {
-      const double flow = stiffness[static_cast<std::size_t>(k)] * (logScale[i] - logScale[j]);
-      residual[i] -= flow;
-      residual[j] += flow;
-    });
-    logScale.array() += step.array() * residual.array();
-  }
-  scale_ = logScale.array().exp();
+  setDiagonal(diagonal, stiffness);
+  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower> solver(stiffness);
+  solver.setMaxIterations(kScaleIterations);
+  const Eigen::VectorXd logScale = solver.solve(right);
+  scale_ = logScale.allFinite() ? Eigen::VectorXd(logScale.array().exp()) : Eigen::VectorXd::Ones(lower_.rows());
 }
 
 SparseMatrix DirectedSystem::symmetricPart() const {
@@ -91,7 +90,7 @@ SparseMatrix DirectedSystem::symmetricPart() const {
     diagonal[i] -= s[k];
     diagonal[j] -= s[k];
   });
-  for (int i = 0; i < part.cols(); ++i) s[part.outerIndexPtr()[i]] = diagonal[i];
+  setDiagonal(diagonal, part);
   return part;
 }
 

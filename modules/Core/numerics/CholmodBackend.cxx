@@ -81,6 +81,7 @@ class CholmodBackend final : public SparseSolver::Backend {
     common_.postorder = 1;
   }
   ~CholmodBackend() override {
+    for (cholmod_dense** kept : {&solution_, &work_, &spare_}) cholmod_free_dense(kept, &common_);
     cholmod_free_factor(&factor_, &common_);
     cholmod_finish(&common_);
   }
@@ -109,16 +110,16 @@ class CholmodBackend final : public SparseSolver::Backend {
     view.x = const_cast<double*>(rightHandSides.data());
     view.xtype = CHOLMOD_REAL;
     view.dtype = CHOLMOD_DOUBLE;
-    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor_, &view, &common_);
-    if (!solution) throw SolverError("A solvable system is required, but CHOLMOD ran out of memory.");
-    const Eigen::MatrixXd result = Eigen::Map<const Eigen::MatrixXd>(
-        static_cast<const double*>(solution->x), rightHandSides.rows(), rightHandSides.cols());
-    cholmod_free_dense(&solution, &common_);
-    return result;
+    if (!cholmod_solve2(CHOLMOD_A, factor_, &view, nullptr, &solution_, nullptr, &work_, &spare_, &common_)) {
+      throw SolverError("A solvable system is required, but CHOLMOD ran out of memory.");
+    }
+    return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution_->x), rightHandSides.rows(),
+                                             rightHandSides.cols());
   }
 
  private:
-  mutable cholmod_common common_;  // workspace: solve needs it
+  mutable cholmod_common common_;  // workspace: solve needs it, and keeps these three
+  mutable cholmod_dense *solution_ = nullptr, *work_ = nullptr, *spare_ = nullptr;
   cholmod_factor* factor_ = nullptr;
 };
 
