@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "Core/base/Error.h"
+#include "Core/mesh/AnnulusMesh.h"
+#include "Core/mesh/PolyAnnulusMesh.h"
+#include "Core/mesh/SphereMesh.h"
 #include "Core/mesh/SurfaceTopology.h"
 #include "support/TestMeshes.h"
 
@@ -60,4 +64,20 @@ TEST(SurfaceTopology, FindsNonManifoldPlaces) {
   Faces twisted(2, 3);  // both run along 0->1
   twisted << 0, 1, 2, 0, 1, 3;
   EXPECT_EQ(SurfaceTopology(twisted, 4).inconsistentEdges().size(), 1u);
+}
+
+TEST(CheckedMeshes, TakeWhatTheirNamesSayAndRefuseTheRestInWords) {
+  const auto reason = [](const auto& construct) {
+    try {
+      construct();
+    } catch (const TopologyError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(SphereMesh(sphereMesh(2)).mesh().faceCount(), 128);
+  EXPECT_EQ(PolyAnnulusMesh(diskMesh(3)).loops().size(), 1u);
+  EXPECT_NE(reason([] { (void)SphereMesh(diskMesh(3)); }).find("too many near"), std::string::npos);
+  EXPECT_NE(reason([] { (void)AnnulusMesh(diskMesh(3)); }).find("too few boundary loops"), std::string::npos);
+  EXPECT_NE(reason([] { (void)PolyAnnulusMesh(sphereMesh(1)); }).find("no boundary"), std::string::npos);
 }

@@ -1,0 +1,65 @@
+#include "Core/mesh/RequiredTopology.h"
+
+#include <sstream>
+#include <string>
+
+#include "Core/base/Error.h"
+#include "Core/mesh/MeshReport.h"
+
+namespace authalic {
+namespace {
+
+std::string at(const Eigen::Vector3d& place) {
+  std::ostringstream text;
+  text.precision(1);
+  text << std::fixed << "(" << place.x() << ", " << place.y() << ", " << place.z() << ") mm";
+  return text.str();
+}
+
+/// Where the first reason not to be such a surface lies and what would help.
+std::string obstacle(const MeshReport& report, const RequiredTopology& required) {
+  const auto first = [](const std::vector<MeshDefect>& defects, const std::string& what, const std::string& advice) {
+    return what + " at " + at(defects.front().place) + "; " + advice;
+  };
+  if (!report.nonManifoldEdges.empty()) {
+    return first(report.nonManifoldEdges, "an edge with more than two faces", "repair the surface first");
+  }
+  if (!report.inconsistentEdges.empty()) {
+    return first(report.inconsistentEdges, "two neighbouring faces with opposite orientation",
+                 "orient the surface consistently (a Möbius band cannot be)");
+  }
+  if (!report.nonManifoldVertices.empty()) {
+    return first(report.nonManifoldVertices, "a vertex where the surface touches itself", "repair the surface first");
+  }
+  if (report.components.size() != 1) {
+    return "a second component centred at " + at(report.components[1].place) + "; keep the largest one ('authalic cut')";
+  }
+  if (!report.isolatedVertices.empty()) {
+    return first(report.isolatedVertices, "a vertex that no face uses", "drop such vertices ('authalic cut')");
+  }
+  if (report.loops.size() < required.fewestLoops) {
+    return report.loops.empty() ? "no boundary; open the surface first ('authalic cut')"
+                                : "too few boundary loops; cut an opening, or take a method for fewer loops";
+  }
+  if (report.loops.size() > required.mostLoops) {
+    return "a boundary loop too many near " + at(report.loops[required.mostLoops].place) +
+           "; close it, or take a method for more loops";
+  }
+  if (report.genus != 0) return "handles (genus " + std::to_string(report.genus) + "); cut or repair them first";
+  return {};
+}
+
+}  // namespace
+
+void requireTopology(const TriangleMesh& mesh, const SurfaceTopology& topology, const RequiredTopology& required) {
+  const std::size_t loops = topology.boundaryLoops().size();
+  const bool fits = topology.manifold() && topology.componentCount() == 1 && topology.isolatedVertices().empty() &&
+                    loops >= required.fewestLoops && loops <= required.mostLoops &&
+                    topology.eulerCharacteristic() == 2 - static_cast<int>(loops);
+  if (fits) return;
+  const MeshReport report = inspect(mesh, topology);
+  throw TopologyError(std::string(required.words) + ", but the surface has " + report.summary() + ": found " +
+                      obstacle(report, required) + ".");
+}
+
+}  // namespace authalic
