@@ -34,6 +34,10 @@ function(authalic_library name)
   target_compile_features(Authalic${name} PUBLIC cxx_std_17)
   target_link_libraries(Authalic${name} PUBLIC ${arg_LINK_PUBLIC} PRIVATE ${arg_LINK_PRIVATE})
   authalic_warnings(Authalic${name})
+  if(AUTHALIC_PARAVIEW) # inside the folder of the plugin
+    install(TARGETS Authalic${name} LIBRARY DESTINATION "${AUTHALIC_PLUGIN_DESTINATION}" NAMELINK_SKIP)
+    return()
+  endif()
   install(TARGETS Authalic${name} EXPORT Authalic)
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/" DESTINATION "${AUTHALIC_INCLUDE_DESTINATION}/${name}"
     FILES_MATCHING PATTERN "*.h")

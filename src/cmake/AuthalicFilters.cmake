@@ -1,0 +1,13 @@
+# authalic_filters(NAME [LINK library ...]): module Authalic::NAME from this folder. Every vtk*.cxx is a class that
+# Python sees; every other .cxx and .h is a helper that it does not. Core and friends are private to the module.
+function(authalic_filters name)
+  cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
+  file(GLOB classes CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/vtk*.cxx")
+  file(GLOB helpers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/[A-Z]*.cxx")
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/[A-Z]*.h")
+  list(TRANSFORM classes REPLACE "\\.cxx$" "")
+  vtk_module_add_module(Authalic::${name} CLASSES ${classes} SOURCES ${helpers} NOWRAP_HEADERS ${headers})
+  vtk_module_link(Authalic::${name} PRIVATE Authalic::Core ${arg_LINK})
+  vtk_module_compile_features(Authalic::${name} PUBLIC cxx_std_17)
+  vtk_module_compile_options(Authalic::${name} PRIVATE -Wall -Wextra -Wnon-virtual-dtor)
+endfunction()
