@@ -89,6 +89,16 @@ void addField(vtkDataObject* object, const char* name, const std::vector<double>
   addScalars<vtkDoubleArray>(fieldsOf(object), name, values);
 }
 
+double numberField(vtkDataObject* object, const std::string& name, double otherwise) {
+  vtkDataArray* array = fieldsOf(object)->GetArray(name.c_str());
+  return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : otherwise;
+}
+
+std::string textField(vtkDataObject* object, const std::string& name) {
+  auto* array = vtkStringArray::SafeDownCast(fieldsOf(object)->GetAbstractArray(name.c_str()));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
+}
+
 void passFields(vtkDataObject* input, vtkDataObject* output) { fieldsOf(output)->ShallowCopy(fieldsOf(input)); }
 
 void gatherArrays(vtkDataSetAttributes* from, const std::vector<int>& ids, vtkDataSetAttributes* to) {

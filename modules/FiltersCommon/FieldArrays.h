@@ -40,6 +40,12 @@ VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char*
 VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char* name,
                                               const std::vector<double>& values);
 
+/// First number of a field array; `otherwise` when it is not there.
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT double numberField(vtkDataObject* object, const std::string& name,
+                                                                 double otherwise = 0.0);
+/// First text of a field array; empty when it is not there.
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT std::string textField(vtkDataObject* object, const std::string& name);
+
 /// The field data of `input` (name of the structure, coordinate space, file …) on `output`; the arrays are shared.
 VTKAUTHALICFILTERSCOMMON_EXPORT void passFields(vtkDataObject* input, vtkDataObject* output);
 

@@ -47,6 +47,24 @@ void vtkDiskMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport& r
   this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
 }
 
+std::string vtkDiskMapAlgorithm::GetStatus() { return authalic::textField(this->GetOutput(), "Status"); }
+
+int vtkDiskMapAlgorithm::GetIterations() {
+  return static_cast<int>(authalic::numberField(this->GetOutput(), "Iterations"));
+}
+
+double vtkDiskMapAlgorithm::GetTotalAreaDistortion() {
+  return authalic::numberField(this->GetOutput(), "TotalAreaDistortion");
+}
+
+double vtkDiskMapAlgorithm::GetTotalAngleDistortion() {
+  return authalic::numberField(this->GetOutput(), "TotalAngleDistortion");
+}
+
+int vtkDiskMapAlgorithm::GetFlippedFaces() {
+  return static_cast<int>(authalic::numberField(this->GetOutput(), "FlippedFaces"));
+}
+
 void vtkDiskMapAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Domain: " << this->Domain << "\n";

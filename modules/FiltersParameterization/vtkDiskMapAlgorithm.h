@@ -82,6 +82,18 @@ public:
   vtkGetMacro(MeasureArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * What the last execution said in field data: how the method ended (converged, not-converged, stalled, cancelled),
+   * iterations, D_area and D_angle (2 = preserved), and folded faces. Empty or 0 before it and after an error.
+   */
+  std::string GetStatus();
+  int GetIterations();
+  double GetTotalAreaDistortion();
+  double GetTotalAngleDistortion();
+  int GetFlippedFaces();
+  ///@}
+
   /**
    * What the last execution did, as JSON: status, iterations, residual history, seconds per stage, metrics, flips,
    * topology, options, version. Empty before it and after an error.

@@ -43,7 +43,8 @@ public:
 
   ///@{
   /** Point arrays to summarise. None added = every array that has a Coverage companion. Units may be empty. */
-  void AddFieldArray(const std::string& name, const std::string& units = "", const std::string& description = "");
+  void AddFieldArray(const std::string& name) { this->AddFieldArray(name, ""); }
+  void AddFieldArray(const std::string& name, const std::string& units, const std::string& description = "");
   void ClearFieldArrays();
   ///@}
 

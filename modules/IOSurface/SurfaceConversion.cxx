@@ -93,11 +93,6 @@ void setVolumeAs(vtkImageData* output, const VolumeOf<T>& volume) {
 
 }  // namespace
 
-std::string textField(vtkDataObject* object, const std::string& name) {
-  auto* array = vtkStringArray::SafeDownCast(object->GetFieldData()->GetAbstractArray(name.c_str()));
-  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0).c_str()) : std::string();
-}
-
 void setSpaceFields(vtkDataObject* output, const SurfaceFile& surface) {
   addField(output, kSpace, std::string(coordinateSpaceName(surface.space)));
   addField(output, kReason, surface.spaceReason);

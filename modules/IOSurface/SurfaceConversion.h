@@ -35,10 +35,6 @@ VTKAUTHALICIOSURFACE_EXPORT void setPoints(vtkPolyData* output, const SurfaceFil
 /// Replaces the field data of setSurface().
 VTKAUTHALICIOSURFACE_EXPORT void setSpaceFields(vtkDataObject* output, const SurfaceFile& surface);
 
-/// The first value of a field of text, or nothing.
-[[nodiscard]] VTKAUTHALICIOSURFACE_EXPORT std::string textField(vtkDataObject* object,
-                                                                const std::string& name);
-
 /// Names, colours and ids of the regions of point array `array` as field data `<array>Names` (text),
 /// `<array>Colors` (n × 4, 0–255) and `<array>Ids`.
 VTKAUTHALICIOSURFACE_EXPORT void setRegions(vtkDataObject* output, const std::string& array,
