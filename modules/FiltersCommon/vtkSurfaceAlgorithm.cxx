@@ -2,27 +2,23 @@
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
-#include "FilterGuard.h"
+#include "WholeInputs.h"
 
 int vtkSurfaceAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  return authalic::runGuarded(this, outputs, this->Threads, this->ErrorKind, [&](const authalic::Execution& execution) {
-    this->Compute(inputs, outputs, execution);
-  });
+  return authalic::runOnWholeInputs(
+      this, inputs, outputs, this->Threads, this->ErrorKind,
+      [&](vtkInformationVector** whole, const authalic::Execution& execution) { this->Compute(whole, outputs, execution); });
+}
+
+int vtkSurfaceAlgorithm::RequestInformation(vtkInformation* request, vtkInformationVector** inputs,
+                                            vtkInformationVector* outputs) {
+  authalic::announcePieces(outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
 }
 
 int vtkSurfaceAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port) {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i) {
-      vtkInformation* input = inputs[port]->GetInformationObject(i);
-      if (!input->Has(Pipeline::WHOLE_EXTENT())) continue;
-      int extent[6];
-      input->Get(Pipeline::WHOLE_EXTENT(), extent);
-      input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
-    }
-  }
+  authalic::requestWholeInputs(this, inputs);
   return 1;
 }
 

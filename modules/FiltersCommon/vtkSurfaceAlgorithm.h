@@ -6,6 +6,10 @@
  * macro as one sentence (required, found, where, what to do), the outputs are emptied and the pipeline is told that
  * the request failed. GetErrorKind() says which kind of failure it was. Inputs are never modified.
  *
+ * Maps are global. Where a pipeline streams pieces, piece 0 is the whole output and the others are empty. On several
+ * processes (MPI) the pieces of every input surface are gathered and joined on process 0, which alone computes; the
+ * outputs of the others are empty. A surface whose pieces meet along a seam is refused in words.
+ *
  * Abort is honoured between the iterations of a method: set AbortExecute from an observer of ProgressEvent. The
  * name of the stage is in ProgressText.
  */
@@ -52,6 +56,9 @@ protected:
   ~vtkSurfaceAlgorithm() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /** Says that every piece of the output can be asked for. */
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /** Asks every input for all of it: volumes of different sizes may meet in one filter. */
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -15,6 +15,7 @@
 #include "GridArrays.h"
 #include "Reports/ElementReport.h"
 #include "SurfaceFields.h"
+#include "WholeInputs.h"
 
 vtkStandardNewMacro(vtkElementStatistics);
 
@@ -54,9 +55,20 @@ int vtkElementStatistics::FillInputPortInformation(int, vtkInformation* info) {
 
 int vtkElementStatistics::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   this->Results.reset();
-  return authalic::runGuarded(this, outputs, this->Threads, this->ErrorKind, [&](const authalic::Execution& execution) {
-    this->Compute(inputs, outputs, execution);
-  });
+  return authalic::runOnWholeInputs(
+      this, inputs, outputs, this->Threads, this->ErrorKind,
+      [&](vtkInformationVector** whole, const authalic::Execution& execution) { this->Compute(whole, outputs, execution); });
+}
+
+int vtkElementStatistics::RequestInformation(vtkInformation* request, vtkInformationVector** inputs,
+                                             vtkInformationVector* outputs) {
+  authalic::announcePieces(outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+int vtkElementStatistics::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) {
+  authalic::requestWholeInputs(this, inputs);
+  return 1;
 }
 
 void vtkElementStatistics::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,

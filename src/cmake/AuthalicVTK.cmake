@@ -1,7 +1,7 @@
 # VTK itself.
 # COMPONENTS are always listed: without them VTK looks for Qt.
 set(AUTHALIC_VTK_COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMisc
-  IOCore IOXML IOLegacy IOGeometry IOPLY ImagingCore FiltersCore)
+  IOCore IOXML IOLegacy IOGeometry IOPLY ImagingCore FiltersCore ParallelCore)
 set(authalic_vtk_components ${AUTHALIC_VTK_COMPONENTS})
 if(AUTHALIC_PYTHON)
   list(APPEND authalic_vtk_components Python WrappingPythonCore)
