@@ -2,6 +2,7 @@
 # Sourced by pipelines/*/run.sh and testing/run.sh: installs what is missing (apt), configures and builds.
 #
 #   authalic_install           apt packages; quick and silent when all are there
+#   authalic_install_paraview  ParaView's packages, and build/paraview-prefix to build against; 1 when it cannot be had
 #   authalic_build PRESET      cmake --preset PRESET, then build
 #   authalic_display           starts one virtual X server unless DISPLAY is set (VTK 9.1 needs one to render)
 
@@ -16,6 +17,8 @@ authalic_required=(
 )
 # Independent readers and oracles: tests that need a missing one skip and say so.
 authalic_optional=(python3-scipy python3-nibabel connectome-workbench libbenchmark-dev)
+# For the ParaView plugin, installed by the scripts that use it.
+authalic_paraview=(paraview paraview-dev libopenmpi-dev openmpi-bin libutfcpp-dev libdouble-conversion-dev libpython3-dev)
 
 authalic_missing() {
   local package
@@ -30,9 +33,10 @@ authalic_apt() {
   DEBIAN_FRONTEND=noninteractive "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get "$@"
 }
 
-authalic_install() {
+# Installs those of the packages that are missing, as far as apt can.
+authalic_try() {
   local missing package
-  mapfile -t missing < <(authalic_missing "${authalic_required[@]}" "${authalic_optional[@]}")
+  mapfile -t missing < <(authalic_missing "$@")
   [ "${#missing[@]}" -gt 0 ] || return 0
   echo "Installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
   authalic_apt update -qq >&2 || echo "apt-get update failed; going on with the package lists that are there." >&2
@@ -40,11 +44,32 @@ authalic_install() {
     for package in "${missing[@]}"; do # one by one, to name the one that fails
       authalic_apt install -y -qq --no-install-recommends "$package" >/dev/null 2>&1 || true
     done
+}
+
+authalic_install() {
+  local missing
+  authalic_try "${authalic_required[@]}" "${authalic_optional[@]}"
   mapfile -t missing < <(authalic_missing "${authalic_optional[@]}")
   [ "${#missing[@]}" -eq 0 ] || echo "Could not install ${missing[*]}: tests that need them will skip." >&2
   mapfile -t missing < <(authalic_missing "${authalic_required[@]}")
   if [ "${#missing[@]}" -gt 0 ]; then
     echo "Could not install ${missing[*]}, which the build needs; check apt's sources and try again." >&2
+    return 1
+  fi
+}
+
+authalic_install_paraview() {
+  local missing note="$authalic_root/build/paraview-unavailable"
+  authalic_try "${authalic_paraview[@]}"
+  mapfile -t missing < <(authalic_missing "${authalic_paraview[@]}")
+  mkdir -p "$authalic_root/build"
+  rm -f "$note"
+  if [ "${#missing[@]}" -gt 0 ]; then
+    echo "ParaView cannot be installed here: apt does not give ${missing[*]}." | tee "$note" >&2
+    return 1
+  fi
+  if ! bash "$authalic_root/pipelines/paraview/overlay.sh"; then
+    echo "ParaView cannot be installed here: python3-paraview could not be downloaded and unpacked." | tee "$note" >&2
     return 1
   fi
 }

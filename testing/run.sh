@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up, builds and runs every test, the fast main job and the sanitizer build included; ends with ctest's summary.
+# Sets up, builds and runs every test, the fast main job, the sanitizer build and the ParaView plugin included; ends with ctest's summary.
 #
 #   bash testing/run.sh [ctest options, e.g. -LE slow]
 set -euo pipefail
@@ -9,6 +9,7 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 authalic_install
 authalic_build release
 authalic_build sanitize
+if authalic_install_paraview; then authalic_build paraview; fi
 authalic_display
 cd "$authalic_root"
 ctest --preset release --no-tests=error "$@"

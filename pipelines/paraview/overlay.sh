@@ -8,29 +8,24 @@
 # paraview and paraview-dev. CMake files are copied: they look for their neighbours where they really are.
 # Does nothing when PREFIX is already there for the installed version.
 set -euo pipefail
-here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
-prefix="${1:-$here/../../build/paraview-prefix}"
+prefix="${1:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)/build/paraview-prefix}"
 
 version="$(dpkg-query -W -f='${Version}' paraview)"
-stamp="$prefix/version"
-if [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$version" ] && [ -x "$prefix/usr/bin/pvpython" ]; then exit 0; fi
+if [ "$(cat "$prefix/version" 2>/dev/null)" = "$version" ]; then exit 0; fi
 
 echo "Making $prefix from Debian's ParaView $version" >&2
-unpacked="$(mktemp -d)"
-trap 'rm -rf "$unpacked"' EXIT
-chmod 755 "$unpacked" # apt downloads as a user of its own
-(cd "$unpacked" && apt-get download -qq "python3-paraview=$version" >/dev/null)
+work="$(mktemp -d)"
+trap 'rm -rf "$work"' EXIT
+(cd "$work" && apt-get download -qq -o APT::Sandbox::User=root "python3-paraview=$version" >/dev/null)
 rm -rf "$prefix"
 mkdir -p "$prefix"
-dpkg -x "$unpacked"/python3-paraview_*.deb "$prefix"
+prefix="$(cd "$prefix" && pwd)"
+dpkg -x "$work"/python3-paraview_*.deb "$prefix"
 
-dpkg -L paraview paraview-dev | sort -u | while read -r file; do
-  if [ -d "$file" ] && [ ! -L "$file" ]; then continue; fi
-  [ -e "$file" ] || continue
-  mkdir -p "$prefix$(dirname "$file")"
-  case "$file" in
-    */cmake/paraview-*) cp -L "$file" "$prefix$file" ;;
-    *) ln -sfn "$file" "$prefix$file" ;;
-  esac
-done
-printf '%s\n' "$version" >"$stamp"
+dpkg -L paraview paraview-dev | sort -u >"$work/listed"
+while read -r file; do
+  if [ -e "$file" ] && { [ ! -d "$file" ] || [ -L "$file" ]; }; then printf '%s\n' "$file"; fi
+done <"$work/listed" >"$work/files"
+grep '/cmake/paraview-' "$work/files" | xargs -d '\n' cp -L --parents -t "$prefix"
+grep -v '/cmake/paraview-' "$work/files" | xargs -d '\n' cp -s --parents -f -t "$prefix"
+printf '%s\n' "$version" >"$prefix/version"

@@ -1,0 +1,71 @@
+"""Small runs of every filter, reader and writer, described once and run twice: by ParaView, and by VTK alone.
+
+A case is (name, class without vtk, inputs, properties). An input is (property of the proxy, case, output port); inputs
+stand in the order of the ports. Properties are the ivars of the class; a list goes to its AddX method, item by item.
+FIXTURES/ and OUT/ at the start of a text stand for folders.
+"""
+import numpy as np
+
+DISK = [("Input", "disk", 0)]
+CASES = [
+    ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
+    ("torus", "SurfaceFileReader", [], {"FileName": "FIXTURES/torus.off"}),
+    ("tutte", "BarycentricMap", DISK, {"Method": 0}),
+    ("harmonic", "BarycentricMap", DISK, {"Method": 1, "StartVertex": -1, "Threads": 1}),
+    ("rectangle", "BarycentricMap", DISK, {"Domain": 2, "Aspect": 3.0}),
+    ("polygon", "BarycentricMap", DISK, {"Domain": 3, "PolygonCorner": [(0, 0), (4, 0), (0, 5)]}),
+    ("flow", "DiscreteLieFlow", DISK, {}),
+    ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
+    ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2}),
+    ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),
+    ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),
+    ("t1", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_t1.nii.gz"}),
+    ("labels", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_labels.nii.gz", "Frame": 0}),
+    ("cortex", "CorticalSurface", [("Input", "t1", 0), ("Labels", "labels", 0)],
+     {"TargetFaces": 4000, "SmoothingIterations": 10}),
+    ("cut", "CutToDisk", [("Input", "cortex", 0)], {"LoopSmoothing": 5, "RegionValue": [1]}),
+    ("half", "CutToDisk", [("Input", "cortex", 1)], {"RegionMode": 1, "PlaneNormal": (-1.0, 0.0, 0.0),
+                                                     "PlaneOrigin": (15.0, 0.0, 0.0)}),
+    ("cutflow", "DiscreteLieFlow", [("Input", "cut", 0)], {"MaximumIterations": 100}),
+    ("sampled", "SampleVolumeOnSurface", [("Input", "cutflow", 0), ("Volume", "t1", 0)],
+     {"Mode": 1, "DepthTo": 4.0, "Reducer": 1, "ArrayName": "T1"}),
+    ("labelled", "LabelsOnSurface", [("Input", "sampled", 0), ("Labels", "labels", 0)], {"MaximumDistance": 8.0}),
+    ("grid", "ElementGrid", [("Input", "labelled", 0)], {"NumberOfElements": 60}),
+    ("tables", "ElementStatistics", [("Input", "grid", 0)],
+     {"FieldArray": [("T1",)], "LabelArrayName": "Label", "Hemisphere": "L"}),
+    ("written", "SurfaceFileWriter", [("Input", "cut", 0)], {"FileName": "OUT/cut.gii"}),
+    ("metrics", "VertexDataWriter", [("Input", "labelled", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": [("T1",)]}),
+    ("reread", "SurfaceFileReader", [], {"FileName": "OUT/cut.gii", "AssumeSpace": 1}),
+    ("withdata", "VertexDataReader", [("Input", "reread", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": "Again"}),
+]
+
+
+def placed(value, folders):
+    for name, folder in folders.items():
+        if isinstance(value, str) and value.startswith(name + "/"):
+            return folder + value[len(name):]
+    return value
+
+
+def arrays_of(data, to_numpy):
+    """Everything in a data object, as {name: numpy array}; numbers bit by bit, texts as they are."""
+    found = {}
+    if data.IsA("vtkTable"):
+        groups = [("row", data.GetRowData())]
+    else:
+        groups = [("point", data.GetPointData()), ("cell", data.GetCellData())]
+        if data.IsA("vtkPolyData") and data.GetNumberOfPoints():
+            found["points"] = to_numpy(data.GetPoints().GetData())
+            for kind, cells in (("polys", data.GetPolys()), ("lines", data.GetLines())):
+                found[kind] = to_numpy(cells.GetConnectivityArray())
+        if data.IsA("vtkImageData"):
+            found["frame"] = np.array([*data.GetOrigin(), *data.GetSpacing(), *data.GetExtent()])
+    for kind, attributes in groups + [("field", data.GetFieldData())]:
+        for i in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetAbstractArray(i)
+            if array.IsA("vtkStringArray"):
+                value = np.array([array.GetValue(k) for k in range(array.GetNumberOfValues())], dtype=str)
+            else:
+                value = to_numpy(array)
+            found[f"{kind}:{array.GetName()}"] = value
+    return found

@@ -1,0 +1,65 @@
+"""Runs the cases in pvpython or pvbatch, and leaves what their proxies give as NumPy files.
+
+    pvpython run_in_paraview.py PLUGIN FIXTURES OUT [CASE ...]
+"""
+import pathlib
+import sys
+
+import numpy as np
+from paraview import servermanager, simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import cases  # noqa: E402
+
+RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary", "ErrorKind")
+
+
+def keywords(inputs, properties, made, folders):
+    """Arguments of the proxy: inputs as ports, lists flat and by their plural name."""
+    found = {name: simple.OutputPort(made[source], port) for name, source, port in inputs}
+    for name, value in properties.items():
+        if isinstance(value, list):
+            found[name + "s"] = [part for item in value for part in (item if isinstance(item, tuple) else (item,))]
+        else:
+            found[name] = cases.placed(value, folders)
+    return found
+
+
+def information(proxy):
+    """Values of the properties that say how the run ended, as far as the proxy has them."""
+    proxy.UpdatePropertyInformation()
+    found = {}
+    for name in RESULTS:
+        item = proxy.SMProxy.GetProperty(name)
+        if item:
+            found["information:" + name] = np.array(item.GetElement(0))
+    return found
+
+
+def read_out(name, proxy, out):
+    proxy.UpdatePipeline()
+    for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
+        data = servermanager.Fetch(simple.OutputPort(proxy, port))
+        found = cases.arrays_of(data, vtk_to_numpy)
+        found.update(information(proxy))
+        np.savez(f"{out}/{name}.{port}.npz", **found)
+
+
+def main():
+    plugin, fixtures, out, *chosen = sys.argv[1:]
+    simple.LoadPlugin(plugin, remote=False, ns=globals())
+    folders, made = {"FIXTURES": fixtures, "OUT": out}, {}
+    for name, kind, inputs, properties in cases.CASES:
+        if chosen and name not in chosen:
+            continue
+        arguments = keywords(inputs, properties, made, folders)
+        if kind.endswith("Writer"):
+            getattr(servermanager.writers, kind)(**arguments).UpdatePipeline()
+            continue
+        made[name] = globals()[kind](**arguments)
+        read_out(name, made[name], out)
+    print("cases:", len(made), flush=True)
+
+
+main()
