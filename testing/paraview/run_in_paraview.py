@@ -40,7 +40,7 @@ def information(proxy):
 def read_out(name, proxy, out):
     proxy.UpdatePipeline()
     for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
-        data = servermanager.Fetch(simple.OutputPort(proxy, port))
+        data = servermanager.Fetch(proxy, idx=port)
         found = cases.arrays_of(data, vtk_to_numpy)
         found.update(information(proxy))
         np.savez(f"{out}/{name}.{port}.npz", **found)

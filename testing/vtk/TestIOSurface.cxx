@@ -23,6 +23,7 @@
 #include <random>
 
 #include "Conversion.h"
+#include "FieldArrays.h"
 #include "Formats/VolumeFile.h"
 #include "SurfaceConversion.h"
 #include "support/SharedData.h"
