@@ -14,8 +14,7 @@ import argparse
 import pathlib
 import sys
 
-from paraview import simple
-from paraview.simple import *  # noqa: F403  ParaView's own way; the filters of the plugin join these names
+from paraview.simple import *  # noqa: F403  ParaView's way; LoadPlugin adds the proxies of the plugin
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import scene  # noqa: E402
@@ -25,7 +24,6 @@ FROM_MAIN_JOB = ROOT / "out/cortex/lh/white.vtp"
 TEMPLATES = pathlib.Path("/usr/share/mricron/templates")  # of Debian's mricron-data
 FACES = 80000  # per hemisphere, where one is extracted
 MEDIAL_SHARE = 0.08  # of the width of the hemisphere lies beyond the plane that opens it
-BUDGET = "the map did not end well: "
 
 
 def read_arguments():
