@@ -11,6 +11,7 @@ CASES = [
     ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
     ("torus", "SurfaceFileReader", [], {"FileName": "FIXTURES/torus.off"}),
     ("tutte", "BarycentricMap", DISK, {"Method": 0}),
+    ("textured", "BarycentricMap", DISK, {"OutputMode": 1}),
     ("harmonic", "BarycentricMap", DISK, {"Method": 1, "StartVertex": -1, "Threads": 1}),
     ("rectangle", "BarycentricMap", DISK, {"Domain": 2, "Aspect": 3.0}),
     ("polygon", "BarycentricMap", DISK, {"Domain": 3, "PolygonCorner": [(0, 0), (4, 0), (0, 5)]}),
