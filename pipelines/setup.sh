@@ -90,7 +90,7 @@ authalic_build() {
 authalic_display() {
   [ -z "${DISPLAY:-}" ] || return 0
   local number
-  exec {authalic_display_fd}< <(exec Xvfb -displayfd 1 -screen 0 1920x1200x24 -nolisten tcp 2>/dev/null)
+  exec {authalic_display_fd}< <(exec Xvfb -displayfd 1 -screen 0 1920x1200x24 -nolisten tcp -noreset 2>/dev/null)
   authalic_xvfb=$!
   trap 'kill "$authalic_xvfb" 2>/dev/null' EXIT
   if read -r -t 20 -u "$authalic_display_fd" number; then

@@ -30,6 +30,17 @@ void refuseForeignEnding(const std::string& path, const std::string& extension) 
   }
 }
 
+/// GIFTI has a second ending that says what is in the file.
+void refuseVertexDataEnding(const std::string& path) {
+  for (const std::string foreign : {".func.gii", ".shape.gii", ".label.gii", ".time.gii"}) {
+    if (path.size() > foreign.size() && path.compare(path.size() - foreign.size(), foreign.size(), foreign) == 0) {
+      throw authalic::InvalidArgument(path + ": A name that ends as a surface does is required, but \"" + foreign +
+                                      "\" belongs to per-vertex data; end it in .surf.gii, or write the data with "
+                                      "vtkVertexDataWriter.");
+    }
+  }
+}
+
 void writeSurface(const std::string& path, vtkPolyData* surface) {
   if (authalic::isVtkSurfaceName(path)) {
     authalic::writeVtkSurface(path, surface);
@@ -38,6 +49,7 @@ void writeSurface(const std::string& path, vtkPolyData* surface) {
   const authalic::SurfaceFile file = authalic::toSurfaceFile(surface);
   const std::string extension = authalic::extensionOf(path);
   if (extension == ".gii") {
+    refuseVertexDataEnding(path);
     authalic::writeGiftiSurface(path, file);
   } else if (extension == ".off") {
     authalic::writeOff(path, file);

@@ -18,6 +18,7 @@ from paraview.simple import *  # noqa: F403  ParaView's way; LoadPlugin adds the
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import scene  # noqa: E402
+from open_state import describe  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FROM_MAIN_JOB = ROOT / "out/cortex/lh/white.vtp"
@@ -90,10 +91,9 @@ def main():
     results(disk)
     angles = BarycentricMap(registrationName="MeanValueMap", Input=disk)
     areas = DiscreteLieFlow(registrationName="AreaPreservingMap", Input=disk)
-    names = ("Status", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces")
     for map_ in (angles, areas):
-        print("{}: {}, D_area {:.4f}, D_angle {:.3f}, {} folded faces".format(
-            scene.TITLES[map_ is areas], *results(map_, *names)), flush=True)
+        results(map_)
+        print(f"{scene.TITLES[map_ is areas]}: {describe(map_)}", flush=True)
     elements = ElementGrid(registrationName="Elements", Input=areas, NumberOfElements=arguments.elements)
     results(elements)
     SaveData(str(arguments.out / "map.vtp"), proxy=OutputPort(elements, 0))

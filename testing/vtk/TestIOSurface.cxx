@@ -282,6 +282,14 @@ TEST(SurfaceFileWriter, LeavesNothingBehindWhenItFails) {
   EXPECT_TRUE(folder.isEmpty());
 }
 
+TEST(SurfaceFileWriter, RefusesNamesOfPerVertexData) {
+  const TemporaryFolder folder;
+  for (const char* name : {"s.func.gii", "s.shape.gii", "s.label.gii", "s.annot", "s.txt"}) {
+    EXPECT_EQ(write(sphere(), folder / name), vtkSurfaceAlgorithm::ARGUMENT) << name;
+  }
+  EXPECT_TRUE(folder.isEmpty());
+}
+
 TEST(VolumeFileReader, PutsVoxelsWhereTheAffineSays) {
   const TemporaryFolder folder;
   Eigen::Matrix4d affine;
