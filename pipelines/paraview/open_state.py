@@ -26,7 +26,7 @@ def describe(map_):
     map_.UpdatePropertyInformation()
     status, area, angle, folded = (map_.SMProxy.GetProperty(name).GetElement(0) for name in (
         "Status", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces"))
-    return f"{status}, D_area {area:.4f}, D_angle {angle:.3f}, {folded} folded faces"
+    return f"{status}, D_area {area:.6g}, D_angle {angle:.4g}, {folded} folded faces"
 
 
 if __name__ == "__main__":
