@@ -20,8 +20,8 @@ Functions take and return numpy arrays:
 They run the VTK classes of this package (vtkDiscreteLieFlow ...), which join any VTK pipeline by themselves; help() shows
 their ports, arrays and options with units and defaults. Coordinates are scanner RAS in mm.
 """
+from . import _classes
 from ._classes import *  # noqa: F403
-from ._classes import __all__ as _classes_all
 from ._elements import Elements, elements
 from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged, NotConvergedWarning,
                       SolverError, SurfaceError)
@@ -36,4 +36,5 @@ __all__ = [
     "NotConvergedWarning", "Samples", "SolverError", "Surface", "SurfaceError", "SurfaceMap", "Volume",
     "cortical_surfaces", "cut_to_disk", "elements", "flatten", "labels_on_surface", "measure_distortion", "methods",
     "read_surface", "read_vertex_data", "read_volume", "sample_volume", "topology", "write_surface", "write_vertex_data",
-    *_classes_all]
+]
+__all__ += _classes.__all__

@@ -113,7 +113,8 @@ def read_vertex_data(path: Path, surface: Any, name: Optional[str] = None) -> Su
     """
     reader = _classes.vtkVertexDataReader()
     reader.SetFileName(os.fspath(path))
-    reader.SetArrayName(name)
+    if name:
+        reader.SetArrayName(name)
     reader.SetInputData(to_polydata(surface))
     _filters.warn(_filters.run(reader)[1])
     return Surface.from_vtk(reader.GetOutput())
