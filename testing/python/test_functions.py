@@ -140,6 +140,15 @@ class Surfaces(unittest.TestCase):
         kept, removed = disks[0].fields["KeptArea"], disks[0].fields["RemovedArea"]
         self.assertAlmostEqual(kept + removed, authalic.topology(points, faces)["area_mm2"])
 
+    def test_regions_of_an_annotation_are_called_by_name(self):
+        points, faces = sphere(4)
+        surface = authalic.Surface(points, faces, {"parts": np.where(points[:, 2] < -0.5, 9, 4)},
+                                   fields={"partsNames": ["rest", "wall"], "partsIds": np.array([4, 9])})
+        by_name, by_number = (authalic.cut_to_disk(surface, region="parts", values=[v]) for v in ("wall", 9))
+        self.assertTrue(np.array_equal(by_name.faces, by_number.faces))
+        with self.assertRaisesRegex(authalic.InvalidArgument, "rest, wall"):
+            authalic.cut_to_disk(surface, region="parts", values=["floor"])
+
     def test_cutting_needs_one_way_to_say_what(self):
         points, faces = sphere(1)
         for how, kind in ((dict(), authalic.InvalidArgument), (dict(region=[1], plane=((0, 0, 0), (0, 0, 1))), authalic.InvalidArgument),
@@ -207,6 +216,13 @@ class Volumes(unittest.TestCase):
         cap = authalic.cut_to_disk(*sphere(3), plane=((0, 0, 0), (0, 0, -1)))
         values = authalic.sample_volume(authalic.flatten(cap, method="tutte"), linear_volume()).values
         self.assertLess(np.abs(values - cap.points @ [1, 2, 3]).max(), 1e-5)
+
+    def test_an_unknown_space_is_refused_and_can_be_asserted(self):
+        with self.assertRaisesRegex(authalic.InvalidArgument, "space"):
+            authalic.sample_volume(authalic.read_surface(DATA / "bumpy_disk.off"), linear_volume())
+        with self.assertRaisesRegex(authalic.InvalidArgument, "space"):
+            authalic.labels_on_surface(authalic.read_surface(DATA / "bumpy_disk.off"), linear_volume())
+        authalic.sample_volume(authalic.read_surface(DATA / "bumpy_disk.off", space="scanner-ras"), linear_volume())
 
     def test_outside_is_not_a_number_and_never_zero(self):
         points, faces = sphere(2)

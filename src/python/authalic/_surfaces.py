@@ -148,14 +148,14 @@ def topology(points: Any, faces: Any = None) -> dict[str, Any]:
     return json.loads(report.GetReport())
 
 
-def cut_to_disk(points: Any, faces: Any = None, *, region: Any = None, values: Sequence[int] = (), keep: bool = False,
+def cut_to_disk(points: Any, faces: Any = None, *, region: Any = None, values: Sequence[Union[int, str]] = (), keep: bool = False,
                 plane: Optional[tuple[Sequence[float], Sequence[float]]] = None, progress: Progress = None,
                 **options: Any) -> Surface:
     """Opens a closed surface by removing a region (the medial wall), so that what is left is a disk.
 
     points, faces  arrays, or one Surface or vtkPolyData of genus 0
     region         one label or flag per vertex, or the name of such a point array
-    values         labels that form the region; none = every label but 0
+    values         labels that form the region, or their names where an annotation was read; none = every label but 0
     keep           the region is what to keep (a cortex label)
     plane          (point, normal) instead of a region: removes the side that the normal points to, mm
     progress       progress(fraction, stage); returning False cancels
@@ -168,7 +168,7 @@ def cut_to_disk(points: Any, faces: Any = None, *, region: Any = None, values: S
     cut = _classes.vtkCutToDisk()
     _set_region(cut, mesh, region, plane)
     for value in values:
-        cut.AddRegionValue(int(value))
+        cut.AddRegionValue(_label(mesh, cut.GetRegionArrayName(), value))
     _filters.configure(cut, keep_region=bool(keep), **options)
     cut.SetInputData(mesh)
     _filters.warn(_filters.run(cut, progress)[1])
@@ -188,3 +188,23 @@ def _set_region(cut, mesh, region, plane):
     else:
         _arrays.add_arrays(mesh.GetPointData(), {"Region": region}, mesh.GetNumberOfPoints(), "vertices")
         cut.SetRegionArrayName("Region")
+
+
+def _label(mesh, array, value):
+    """The number of a label: itself, or that of its name in the table that came with the array."""
+    if not isinstance(value, str):
+        return int(_arrays.numbers([value], "values", (1,), int)[0])
+    fields = _arrays.fields_of(mesh)
+    names = list(np.atleast_1d(fields.get(array + "Names", [])))
+    if value not in names:
+        raise InvalidArgument(f"values must be labels or names of regions of '{array}'; '{value}' is neither. "
+                              f"There are: {', '.join(names) or 'no names'}.")
+    return int(np.atleast_1d(fields[array + "Ids"])[names.index(value)])
+
+
+def require_space(**given):
+    """Refuses to bring objects together when one of them says that its space is unknown."""
+    for name, mesh in given.items():
+        if mesh is not None and _arrays.fields_of(mesh).get("CoordinateSpace") == "unknown":
+            raise InvalidArgument(f"The {name} must be in scanner RAS mm, but it does not say in which space it is; where you "
+                                  'know, say so: read_surface(path, space="scanner-ras").')

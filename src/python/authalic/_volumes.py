@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import _arrays, _classes, _filters
 from ._errors import InvalidArgument
-from ._surfaces import Path, Progress, Surface, to_polydata
+from ._surfaces import Path, Progress, Surface, require_space, to_polydata
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
@@ -109,7 +109,8 @@ def sample_volume(surface: Any, volume: Any, mode: str = "at-vertex", *, depths:
     interpolation  "trilinear" or "nearest"
     skip_zero      a sample of exactly 0 counts as n/a
 
-    None = the default of vtkSampleVolumeOnSurface. A vertex without a valid sample is NaN, never 0.
+    None = the default of vtkSampleVolumeOnSurface. A vertex without a valid sample is NaN, never 0. A surface or volume
+    that says that its space is unknown is refused.
     Raises SurfaceError, InvalidArgument, FormatError, Cancelled.
     """
     sampler = _classes.vtkSampleVolumeOnSurface()
@@ -120,13 +121,19 @@ def sample_volume(surface: Any, volume: Any, mode: str = "at-vertex", *, depths:
             first, last, step = _arrays.numbers(steps, name + "s", (3,)).tolist()
             _filters.configure(sampler, **{name + "_from": first, name + "_to": last, name + "_step": step})
     sampler.SetArrayName("Sample")
-    sampler.SetInputData(0, to_polydata(surface))
-    sampler.SetInputData(1, _image(volume))
+    _meet(sampler, surface, volume)
     if other is not None:
         sampler.SetInputData(2, to_polydata(other))
     _filters.warn(_filters.run(sampler, progress)[1])
     arrays = _arrays.arrays_of(sampler.GetOutput().GetPointData())
     return Samples(arrays["Sample"], arrays["SampleCoverage"])
+
+
+def _meet(algorithm, surface, volume):
+    mesh, image = to_polydata(surface), _image(volume)
+    require_space(surface=mesh, volume=image)
+    algorithm.SetInputData(0, mesh)
+    algorithm.SetInputData(1, image)
 
 
 def labels_on_surface(surface: Any, labels: Any, max_distance: Optional[float] = None) -> np.ndarray:
@@ -137,8 +144,7 @@ def labels_on_surface(surface: Any, labels: Any, max_distance: Optional[float] =
     """
     filter_ = _classes.vtkLabelsOnSurface()
     _filters.configure(filter_, max_distance=max_distance)
-    filter_.SetInputData(0, to_polydata(surface))
-    filter_.SetInputData(1, _image(labels))
+    _meet(filter_, surface, labels)
     _filters.warn(_filters.run(filter_)[1])
     return _arrays.arrays_of(filter_.GetOutput().GetPointData())["Label"]
 
