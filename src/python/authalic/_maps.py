@@ -62,7 +62,9 @@ class SurfaceMap(Surface):
 
     @classmethod
     def from_filter(cls, algorithm: Any) -> SurfaceMap:
-        """Copies the output and the report of a map filter."""
+        """Copies the output and the report of a map filter; its output mode must be the map."""
+        if algorithm.GetOutputMode() != algorithm.MAP:
+            raise InvalidArgument(f"{algorithm.GetClassName()} must give the map: SetOutputModeToMap() first.")
         report = json.loads(algorithm.GetReport())
         drawn = Surface.from_vtk(algorithm.GetOutput())
         planar = not drawn.points[:, 2].any()
@@ -86,7 +88,7 @@ class SurfaceMap(Surface):
 
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
-    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "error_kind")
+    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "output_mode")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
