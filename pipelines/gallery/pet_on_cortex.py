@@ -19,7 +19,8 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 surfaces.add_options(parser)
 parser.add_argument("--volume", type=pathlib.Path, default=surfaces.FIXTURES / "phantom_t1.nii.gz",
                     help="PET, NIfTI or MGH (default: a phantom, whose left hemisphere is then the surface)")
-parser.add_argument("--depth", type=float, default=4.0, help="mm below the surface that are averaged")
+parser.add_argument("--depths", type=float, nargs=2, default=(0, 4), metavar=("FROM", "TO"),
+                    help="mm along the inward normal that are averaged (default 0 4; cortex above a white surface: -2.5 0)")
 parser.add_argument("--elements", type=int, default=200, help="how many elements")
 options = parser.parse_args()
 options.out.mkdir(parents=True, exist_ok=True)
@@ -32,7 +33,7 @@ else:
     disk = surfaces.disk(options)
 
 # One number per vertex; a vertex outside the field of view is NaN, never 0.
-pet, coverage = authalic.sample_volume(disk, volume, "along-normal", depths=(0, options.depth, 0.5))
+pet, coverage = authalic.sample_volume(disk, volume, "along-normal", depths=(*options.depths, 0.5))
 print(f"PET: quartiles {np.nanpercentile(pet, [25, 50, 75]).round(3)}, {np.isnan(pet).sum()} vertices without a value")
 
 flat = authalic.flatten(disk.with_point_arrays({"PET": pet}))
@@ -49,7 +50,7 @@ rows = zip(*(elements.table[name] for name in columns))
 means = np.append(elements.table["pet_mean"], np.nan)[elements.face_ids - 1]
 shown = authalic.Surface(flat.points, flat.faces, flat.point_arrays, {**flat.face_arrays, "Mean": means})
 table = colours.sequential(*np.nanpercentile(pet, [2, 98]))
-(Gallery().add("PET on the cortex", shown, shown.points, surfaces.lateral(disk), array="PET", table=table)
+(Gallery().add(f"{options.volume.name} on the cortex", shown, shown.points, surfaces.lateral(disk), array="PET", table=table)
  .add("on the flat map", shown, flat.image, array="PET", table=table)
  .add("means of elements of equal area", shown, flat.image, array="Mean", table=table)
  .save(options.out / "pet.png"))

@@ -112,7 +112,7 @@ class Pet(Script):
         volume, surface = DATA / "volumes/spm12/PET.nii", DATA / "cortex/conte69_gifti/conte69_32k_lh.gii"
         if not (volume.exists() and surface.exists()):
             self.skipTest(f"{volume} or {surface} is not there")
-        self.holds(0.70, 0.80, "--surface", surface, "--space", "scanner-ras", "--volume", volume, "--depth", 2)
+        self.holds(0.70, 0.80, "--surface", surface, "--space", "scanner-ras", "--volume", volume, "--depths", 0, 2)
 
 
 class RegionOfInterest(Script):

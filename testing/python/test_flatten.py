@@ -22,6 +22,20 @@ def bumpy_disk():
     return surface.points, surface.faces
 
 
+def surface_for(method):
+    """A surface of the topology that a method takes."""
+    topology = _maps.METHODS[method].surface
+    if topology == "sphere":
+        surface = authalic.read_surface(DATA / "folded_sphere.off")
+        return surface.points, surface.faces
+    points, faces = bumpy_disk()
+    if topology == "disk":
+        return points, faces
+    kept = np.linalg.norm(points[faces].mean(axis=1)[:, :2], axis=1) > np.ptp(points[:, 0]) / 6
+    used, corners = np.unique(faces[kept], return_inverse=True)
+    return points[used], corners.reshape(-1, 3)
+
+
 def square_sheet(n=12):
     """A flat unit square of 2 n² triangles."""
     x, y = np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1), indexing="ij")
@@ -40,8 +54,8 @@ def shares(image, faces):
 
 class Results(unittest.TestCase):
     def test_every_method_gives_an_image_without_folds_and_the_surface_back(self):
-        points, faces = bumpy_disk()
         for method in authalic.methods():
+            points, faces = surface_for(method)
             result = authalic.flatten(points, faces, method=method)
             self.assertEqual(result.image.shape[0], len(points), method)
             self.assertTrue(np.array_equal(result.points, points) and np.array_equal(result.faces, faces), method)
@@ -274,6 +288,15 @@ class Documentation(unittest.TestCase):
             self.assertIn(name, authalic.flatten.__doc__)
         for method in authalic.methods():
             self.assertIn(method, authalic.flatten.__doc__)
+
+    def test_every_map_filter_of_the_package_has_a_method(self):
+        filters = {method.filter for method in _maps.METHODS.values()}
+        for name in (name for name in authalic.__all__ if name.startswith("vtk")):
+            try:
+                is_map = getattr(authalic, name)().IsA("vtkSurfaceMapAlgorithm")
+            except (TypeError, NotImplementedError):  # abstract
+                continue
+            self.assertEqual(name in filters, bool(is_map), name)
 
     def test_every_line_of_the_table_of_methods_makes_a_filter(self):
         for name, method in _maps.METHODS.items():

@@ -2,6 +2,7 @@
 """The manners of a VTK filter, asked of every class of the package: a class without a line in the table below fails."""
 import dataclasses
 import gc
+import json
 import pathlib
 import tempfile
 import unittest
@@ -223,6 +224,11 @@ def is_filter(case):
     return not case.writer
 
 
+def is_map(case):
+    """Whether its class is a map of a surface."""
+    return getattr(authalic, next(name for name, other in CASES.items() if other is case))().IsA("vtkSurfaceMapAlgorithm")
+
+
 def has_inputs(case):
     return bool(case.inputs) and not case.writer
 
@@ -372,6 +378,30 @@ class Manners(unittest.TestCase):
         update(algorithm)
         self.assertEqual(algorithm.GetErrorKind(), expected.GetErrorKind())
         self.assertEqual(result(algorithm), result(expected))
+
+    @each(is_map)
+    def test_a_map_can_be_texture_coordinates_of_its_surface(self, name, case):
+        algorithm, inputs = made(name)
+        update(algorithm)
+        image = authalic.SurfaceMap.from_filter(algorithm).image
+        before, report = contents(outputs(algorithm)[0]), json.loads(algorithm.GetReport())
+        algorithm.SetOutputModeToTextureCoordinates()
+        update(algorithm)
+        textured = outputs(algorithm)[0]
+        after = contents(textured)
+        self.assertEqual(after["points"], contents(inputs[0])["points"])
+        self.assertEqual(set(before) - set(after), {("point", "OriginalPoints")})
+        self.assertEqual(set(after) - set(before), {("point", "TCoords")})
+        self.assertEqual({key: after[key] for key in set(before) & set(after) - {"points"}},
+                         {key: before[key] for key in set(before) & set(after) - {"points"}})
+        places = textured.GetPointData().GetTCoords()
+        self.assertEqual((places.GetName(), places.GetDataTypeAsString()), ("TCoords", "float"))
+        scaled = (image - image.min(axis=0)) / (image.max(axis=0) - image.min(axis=0)).max()
+        self.assertLess(np.abs(vtk_to_numpy(places) - scaled).max(), 1e-6)
+        again = json.loads(algorithm.GetReport())
+        self.assertEqual({**again, "seconds": 0}, {**report, "seconds": 0})
+        with self.assertRaises(authalic.InvalidArgument):
+            authalic.SurfaceMap.from_filter(algorithm)
 
     @each()
     def test_two_of_a_kind_share_nothing(self, name, case):

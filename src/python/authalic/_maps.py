@@ -14,9 +14,11 @@ from ._surfaces import Progress, Surface, to_polydata
 
 @dataclasses.dataclass(frozen=True)
 class Method:
-    """A method of flatten(): the name of its filter, and the settings that make the filter that method."""
+    """A method of flatten(): the name of its filter, the settings that make the filter that method, and the topology of
+    surface that it takes: "disk", "sphere" or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
+    surface: str = "disk"
 
     def make(self) -> Any:
         """The VTK filter, ready for its inputs."""
