@@ -19,9 +19,9 @@ out = pathlib.Path(tempfile.mkdtemp(prefix="authalic-"))
 # %% [markdown]
 # ## A surface
 #
-# `read_surface` knows FreeSurfer, GIFTI, OFF, PLY, OBJ, STL and VTK's formats. A `Surface` is arrays: `points` (n, 3) in
-# mm, `faces` (m, 3), and what is known per vertex, per face and as a whole. Your own arrays do as well: every function
-# takes `(points, faces)`, a `Surface`, or a `vtkPolyData`.
+# `read_surface` knows FreeSurfer, GIFTI, OFF, PLY, OBJ, STL and VTK's formats. A `Surface` is arrays: `points` (n,
+# 3) in mm, `faces` (m, 3), and what is known per vertex, per face and as a whole. Your own arrays do as well:
+# every function takes `(points, faces)`, a `Surface`, or a `vtkPolyData`.
 
 # %%
 surface = authalic.read_surface(data / "folded_sphere.off")
@@ -32,8 +32,8 @@ print(report["summary"], "-", round(report["area_mm2"] / 100), "cm2")
 # %% [markdown]
 # ## A disk
 #
-# A map of a disk needs a disk. The medial wall of a hemisphere is cut off by a label, an annotation, flags per vertex, or,
-# here, a plane: a point and the normal towards the side that goes.
+# A map of a disk needs a disk. The medial wall of a hemisphere is cut off by a label, an annotation, flags per
+# vertex, or, here, a plane: a point and the normal towards the side that goes.
 
 # %%
 disk = authalic.cut_to_disk(surface, plane=((0, 0, -20), (0, 0, -1)))
@@ -59,7 +59,8 @@ assert flat.converged and flat.metrics["flipped_faces"] == 0
 # %%
 harmonic = authalic.flatten(disk, method="harmonic")
 for name, result in (("harmonic", harmonic), ("lie-flow", flat)):
-    print(f"{name:9} area {result.metrics['area_distortion']:.3f}  angle {result.metrics['angle_distortion']:.3f}  (ideal 2)")
+    area, angle = result.metrics["area_distortion"], result.metrics["angle_distortion"]
+    print(f"{name:9} area {area:.3f}  angle {angle:.3f}  (ideal 2)")
 assert flat.metrics["area_distortion"] < harmonic.metrics["area_distortion"]
 
 # %% [markdown]
@@ -85,24 +86,27 @@ assert share(larger.image) > 2.5 * share(flat.image)
 # %% [markdown]
 # ## A volume, and elements of equal area
 #
-# Volumes have their affine, voxel index to scanner RAS mm. A vertex outside of it is NaN, never 0. `elements` divides the
-# map into a grid whose preimages on the surface have equal areas, and summarises fields in them, weighted by area.
+# Volumes have their affine, voxel index to scanner RAS mm. A vertex outside of it is NaN, never 0. `elements`
+# divides the map into a grid whose preimages on the surface have equal areas, and summarises fields in them,
+# weighted by area.
 
 # %%
 i, j, k = np.indices((50, 50, 50)) * 2.0 - 49.0
-volume = authalic.Volume(np.sqrt(i**2 + j**2 + k**2), np.array([[2, 0, 0, -49], [0, 2, 0, -49], [0, 0, 2, -49], [0, 0, 0, 1.0]]))
+volume = authalic.Volume(np.sqrt(i**2 + j**2 + k**2),
+                         np.array([[2, 0, 0, -49], [0, 2, 0, -49], [0, 0, 2, -49], [0, 0, 0, 1.0]]))
 here = authalic.Surface(flat.points, flat.faces)  # the file states no space; made from arrays, it is ours to say
 radius, coverage = authalic.sample_volume(here, volume)
 elements = authalic.elements(flat, {"radius": radius}, count=60)
 print(elements)
-print(f"{elements.summary['elements']} elements, inner ones equal to {elements.summary['interior_maximum_deviation']:.2%}")
+off = elements.summary["interior_maximum_deviation"]
+print(f"{elements.summary['elements']} elements, inner ones equal to {off:.2%}")
 assert np.nanmax(np.abs(radius - np.linalg.norm(flat.points, axis=1))) < 0.2
 
 # %% [markdown]
 # ## Failures are exceptions
 #
-# One sentence: what was required, what was found, where, what to do. Not converging is a warning and a status; the best
-# map is there. `progress` is called often, and stops the work by returning False; so does Ctrl-C.
+# One sentence: what was required, what was found, where, what to do. Not converging is a warning and a status; the
+# best map is there. `progress` is called often, and stops the work by returning False; so does Ctrl-C.
 
 # %%
 try:
@@ -118,8 +122,8 @@ except authalic.Cancelled as failure:
 # %% [markdown]
 # ## Files, and the VTK classes
 #
-# A map in a `.vtp` file keeps everything, for ParaView and for the command line. Every function runs a filter that joins
-# any VTK pipeline by itself; `help(authalic.vtkDiscreteLieFlow)` shows its ports, arrays and options.
+# A map in a `.vtp` file keeps everything, for ParaView and for the command line. Every function runs a filter that
+# joins any VTK pipeline by itself; `help(authalic.vtkDiscreteLieFlow)` shows its ports, arrays and options.
 
 # %%
 authalic.write_surface(out / "map.vtp", flat)

@@ -3,8 +3,9 @@
 
     checkerboard.py --surface lh.pial --region lh.cortex.label --keep
 
-The filter leaves the points where they are and gives the map as texture coordinates (SetOutputModeToTextureCoordinates).
-Equal squares of the map are pieces of cortex of equal area. Leaves checkerboard.png, drawn from the .obj that was written.
+The filter leaves the points where they are and gives the map as texture coordinates
+(SetOutputModeToTextureCoordinates). Equal squares of the map are pieces of cortex of equal area. Leaves
+checkerboard.png, drawn from the .obj that was written.
 """
 import argparse
 import json
@@ -58,7 +59,8 @@ def textured(surface, image):
 
 
 def write_obj(surface, image):
-    """checkerboard.obj, .mtl and .texture.png; the material names its picture without a folder, so that all three can move."""
+    """checkerboard.obj, .mtl and .texture.png; the material names its picture without a folder, so that all three
+    can move."""
     writer = vtkOBJWriter()
     writer.SetInputData(0, surface)
     writer.SetFileName(str(obj))
@@ -118,6 +120,7 @@ stored.SetFileName(str(obj.with_suffix(".texture.png")))
 stored.Update()
 shown = next(read_back())[1]
 direction = np.array(surfaces.lateral(disk))
-(Gallery().add_prop("from checkerboard.obj", textured(shown, stored.GetOutput()), disk.points, direction)
- .add_prop("the other side", textured(shown, stored.GetOutput()), disk.points, -direction)
- .save(png))
+gallery = Gallery()
+gallery.add_prop("from checkerboard.obj", textured(shown, stored.GetOutput()), disk.points, direction)
+gallery.add_prop("the other side", textured(shown, stored.GetOutput()), disk.points, -direction)
+gallery.save(png)

@@ -12,11 +12,15 @@ import authalic
 import surfaces
 from show import Gallery, colours
 
-METRICS = ("area_distortion", "angle_distortion", "face_log_area_ratio_max_abs", "angle_error_mean_degrees", "flipped_faces")
+METRICS = ("area_distortion", "angle_distortion", "face_log_area_ratio_max_abs", "angle_error_mean_degrees",
+           "flipped_faces")
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 surfaces.add_options(parser)
-parser.add_argument("--methods", nargs="+", default=["mean-value", "lie-flow"], help=f"of {', '.join(authalic.methods())}")
+parser.add_argument("--methods",
+                    nargs="+",
+                    default=["mean-value", "lie-flow"],
+                    help=f"of {', '.join(authalic.methods())}")
 options = parser.parse_args()
 
 disk = surfaces.disk(options)

@@ -31,7 +31,9 @@ print(f"areas: {abs(off).max():.3f} at most, flipped faces: {flat.metrics['flipp
 
 authalic.write_surface(options.out / "map.vtp", flat)
 (options.out / "map.json").write_text(json.dumps(flat.report, indent=1), encoding="utf-8")
-(Gallery().add("cortex, coloured by its place on the map", disk, disk.points, surfaces.lateral(disk), by_place(flat.image))
- .add("flat map", flat, flat.image, rgb=by_place(flat.image))
- .add("log2 area distortion", flat, flat.image, array="AreaDistortion", table=colours.diverging(1.0))
- .save(options.out / "map.png"))
+gallery = Gallery()
+place = by_place(flat.image)
+gallery.add("cortex, coloured by its place on the map", disk, disk.points, surfaces.lateral(disk), place)
+gallery.add("flat map", flat, flat.image, rgb=place)
+gallery.add("log2 area distortion", flat, flat.image, array="AreaDistortion", table=colours.diverging(1.0))
+gallery.save(options.out / "map.png")

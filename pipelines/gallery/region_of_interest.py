@@ -25,7 +25,8 @@ plain = authalic.flatten(disk)
 middle = options.vertex if options.vertex is not None else int(np.argmin(np.linalg.norm(plain.image, axis=1)))
 inside = np.linalg.norm(disk.points - disk.points[middle], axis=1) < options.radius
 
-# The measure is a density relative to the native area, one number per vertex; a soft edge spares the triangles there.
+# The measure is a density relative to the native area, one number per vertex; a soft edge spares the triangles
+# there.
 distance = np.linalg.norm(disk.points - disk.points[middle], axis=1)
 edge = np.clip((distance - 0.8 * options.radius) / (0.4 * options.radius), 0, 1)
 larger = authalic.flatten(disk, measure=options.gain + (1 - options.gain) * edge, initial=plain)
@@ -42,8 +43,9 @@ print(f"share of the region: {share(plain.image):.2%} area-preserving, {share(la
 print(f"flipped faces: {plain.metrics['flipped_faces']} and {larger.metrics['flipped_faces']}")
 
 rgb = np.where(inside[:, None], np.uint8([205, 92, 60]), np.uint8([205, 200, 190]))
-(Gallery().add("the region", disk, disk.points, tuple(-np.eye(3)[0] * np.sign(disk.points[middle, 0] - disk.points[:, 0].mean())),
-               rgb)
- .add(f"area-preserving: {share(plain.image):.1%}", disk, plain.image, rgb=rgb)
- .add(f"enlarged: {share(larger.image):.1%}", disk, larger.image, rgb=rgb)
- .save(options.out / "region.png"))
+outward = 1.0 if disk.points[middle, 0] < disk.points[:, 0].mean() else -1.0
+gallery = Gallery()
+gallery.add("the region", disk, disk.points, (outward, 0, 0), rgb)
+gallery.add(f"area-preserving: {share(plain.image):.1%}", disk, plain.image, rgb=rgb)
+gallery.add(f"enlarged: {share(larger.image):.1%}", disk, larger.image, rgb=rgb)
+gallery.save(options.out / "region.png")

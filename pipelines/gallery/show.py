@@ -1,4 +1,5 @@
-"""Pictures for the gallery: surfaces and flat maps side by side, drawn with the tools of the main job (pipelines/cortex)."""
+"""Pictures for the gallery: surfaces and flat maps side by side, drawn with the tools of the main job
+(pipelines/cortex)."""
 import pathlib
 import sys
 
@@ -55,12 +56,11 @@ class Gallery:
             prop = scenes.cell_actor(mesh, array, table, lit)
         else:
             prop = scenes.point_actor(mesh, array, table, lit)
-        return self.add_prop(caption, prop, points, direction, table)
+        self.add_prop(caption, prop, points, direction, table)
 
     def add_prop(self, caption, prop, points, direction=(1, 0, 0), table=None):
         """Anything that VTK draws, seen as `points` are."""
         self.panels.append((caption, prop, look(points, direction), table))
-        return self
 
     def save(self, path):
         with render.Display() as display:
@@ -74,5 +74,6 @@ class Gallery:
                     words.append(scenes.colour_bar(table, (0.2, 0.03), (0.6, 0.07)))
                 panels.append(render.Panel([prop], (k * share, 0.1, (k + 1) * share, 0.92), view))
                 panels.append(render.Panel(words, (k * share, 0, (k + 1) * share, 1), None))
-            render.picture(sorted(panels, key=lambda panel: panel.view is not None), (PANEL * len(self.panels), PANEL), path)
+            render.picture(sorted(panels, key=lambda panel: panel.view is not None),
+                           (PANEL * len(self.panels), PANEL), path)
             print(path)

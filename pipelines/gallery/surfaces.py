@@ -12,12 +12,17 @@ def add_options(parser):
     """--surface, --region, --values, --keep and --out, as in `authalic cut`."""
     parser.add_argument("--surface", default=FIXTURES / "folded_sphere.off", type=pathlib.Path,
                         help="closed surface: FreeSurfer, GIFTI, OFF ... (default: a folded sphere)")
-    parser.add_argument("--region", metavar="ARRAY|FILE", help="what is cut off: a point array, or a .label, .annot, .label.gii; "
-                                                               "without it, what lies beyond a plane near the midline")
+    parser.add_argument("--region",
+                        metavar="ARRAY|FILE",
+                        help="what is cut off: a point array, or a .label, .annot, .label.gii; "
+                        "without it, what lies beyond a plane near the midline")
     parser.add_argument("--values", nargs="*", default=[], help="labels or names of regions of the file")
     parser.add_argument("--keep", action="store_true", help="the region is what to keep: FreeSurfer's cortex.label")
     parser.add_argument("--space", default="as-stated", help="scanner-ras where the file does not say that it is")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/gallery"), help="folder (default: %(default)s)")
+    parser.add_argument("--out",
+                        type=pathlib.Path,
+                        default=pathlib.Path("out/gallery"),
+                        help="folder (default: %(default)s)")
 
 
 def disk(options):

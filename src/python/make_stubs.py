@@ -3,8 +3,8 @@
 
     make_stubs.py FOLDER/authalic
 
-One NAME.pyi beside each NAME.so, and _classes.pyi with every class. A method that is inherited is in the stub of its own
-class only, VTK's classes are imported from vtkmodules.
+One NAME.pyi beside each NAME.so, and _classes.pyi with every class. A method that is inherited is in the stub of
+its own class only, VTK's classes are imported from vtkmodules.
 """
 import importlib
 import keyword

@@ -51,8 +51,14 @@ class Script(unittest.TestCase):
         self.out = pathlib.Path(folder.name)
 
     def run_script(self, name, *options):
-        done = subprocess.run([sys.executable, "-W", "ignore", str(GALLERY / name), "--out", str(self.out), *map(str, options)],
-                              capture_output=True, text=True, check=False, timeout=240)
+        done = subprocess.run(
+            [sys.executable, "-W", "ignore",
+             str(GALLERY / name), "--out",
+             str(self.out), *map(str, options)],
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=240)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
@@ -117,7 +123,8 @@ class Pet(Script):
 
 class RegionOfInterest(Script):
     def holds(self, *options):
-        before, after = re.search(r"([\d.]+)% area-preserving, ([\d.]+)% with", self.run_script("region_of_interest.py", *options)).groups()
+        before, after = re.search(r"([\d.]+)% area-preserving, ([\d.]+)% with",
+                                  self.run_script("region_of_interest.py", *options)).groups()
         self.assertGreater(float(after), 2.5 * float(before))
         self.has_picture("region.png")
 
@@ -131,7 +138,8 @@ class RegionOfInterest(Script):
 class CompareMethods(Script):
     def holds(self, *options):
         printed = self.run_script("compare_methods.py", *options)
-        self.assertEqual(printed.splitlines()[:3], (self.out / "methods.tsv").read_text(encoding="utf-8").splitlines())
+        self.assertEqual(printed.splitlines()[:3],
+                         (self.out / "methods.tsv").read_text(encoding="utf-8").splitlines())
         header, *rows = (line.split("\t") for line in printed.splitlines()[:3])
         found = {row[0]: dict(zip(header[2:], map(float, row[2:]))) for row in rows}
         self.assertLess(found["lie-flow"]["area_distortion"], found["mean-value"]["area_distortion"])
@@ -150,7 +158,8 @@ class Checkerboard(Script):
         """(vertices, texture coordinates per vertex, picture), by the format's own rules."""
         words = [line.split() for line in (self.out / "checkerboard.obj").read_text(encoding="utf-8").splitlines()]
         points, places = (np.array([w[1:] for w in words if w and w[0] == kind], dtype=float) for kind in ("v", "vt"))
-        corners = np.array([corner.split("/")[:2] for w in words if w and w[0] == "f" for corner in w[1:]], dtype=int) - 1
+        corners = np.array([corner.split("/")[:2] for w in words if w and w[0] == "f" for corner in w[1:]],
+                           dtype=int) - 1
         uv = np.full((len(points), 2), np.nan)
         uv[corners[:, 0]] = places[corners[:, 1], :2]
         material, = (w[1] for w in words if w and w[0] == "mtllib")
@@ -171,7 +180,8 @@ class Checkerboard(Script):
 
         attributes = file["meshes"][0]["primitives"][0]["attributes"]
         (self.out / "inside.png").write_bytes(view(file["images"][0]["bufferView"]))
-        return numbers(attributes["POSITION"], 3), numbers(attributes["TEXCOORD_0"], 2), pixels(self.out / "inside.png")
+        return numbers(attributes["POSITION"], 3), numbers(attributes["TEXCOORD_0"],
+                                                           2), pixels(self.out / "inside.png")
 
     def holds(self, *options):
         self.run_script("checkerboard.py", *options)
@@ -212,11 +222,17 @@ class Cxx(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertNotIn("warning", done.stdout)
             surface, plane = ROOT / "data/folded_sphere.off", ["0", "0", "-20", "0", "0", "-1"]
-            done = subprocess.run([f"{tree}/flatten", str(surface), image, *plane], capture_output=True, text=True, check=False)
+            done = subprocess.run([f"{tree}/flatten", str(surface), image, *plane],
+                                  capture_output=True,
+                                  text=True,
+                                  check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             disk = authalic.cut_to_disk(authalic.read_surface(surface), plane=((0, 0, -20), (0, 0, -1)))
             self.assertTrue(np.array_equal(authalic.read_surface(image).points[:, :2], authalic.flatten(disk).image))
-            done = subprocess.run([f"{tree}/flatten", f"{here}/none.off", image, *plane], capture_output=True, text=True, check=False)
+            done = subprocess.run([f"{tree}/flatten", f"{here}/none.off", image, *plane],
+                                  capture_output=True,
+                                  text=True,
+                                  check=False)
             self.assertEqual(done.returncode, 5)
             self.assertIn("does not exist", done.stderr)
 

@@ -17,7 +17,9 @@ def sphere(n=3):
     points = np.array([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)], dtype=float)
     faces = np.array([(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)])
     for _ in range(n):
-        edges, inverse = np.unique(np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2).reshape(-1, 2), axis=0, return_inverse=True)
+        edges, inverse = np.unique(np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]], axis=2).reshape(-1, 2),
+                                   axis=0,
+                                   return_inverse=True)
         middle = points[edges].sum(axis=1)
         ab, bc, ca = (len(points) + inverse.reshape(-1, 3)).T
         points = np.concatenate([points, middle / np.linalg.norm(middle, axis=1)[:, None]])
@@ -44,7 +46,8 @@ class Files(unittest.TestCase):
 
     def test_surfaces_come_back_from_every_format(self):
         points, faces = sphere(2)
-        for name, off in (("a.off", 0), ("a.ply", 0), ("a.obj", 0), ("a.vtp", 0), ("a.vtk", 0), ("a.gii", 1e-7), ("lh.a", 1e-7)):
+        for name, off in (("a.off", 0), ("a.ply", 0), ("a.obj", 0), ("a.vtp", 0), ("a.vtk", 0), ("a.gii", 1e-7),
+                          ("lh.a", 1e-7)):
             authalic.write_surface(self.here / name, points, faces)
             back = authalic.read_surface(self.here / name)
             self.assertTrue(np.array_equal(back.faces, faces), name)
@@ -60,7 +63,8 @@ class Files(unittest.TestCase):
         self.assertEqual(back.fields["Status"], "converged")
 
     def test_vertex_data_come_back(self):
-        surface = authalic.Surface(*sphere(2)).with_point_arrays({"depth": sphere(2)[0][:, 2], "other": sphere(2)[0][:, 1]})
+        surface = authalic.Surface(*sphere(2)).with_point_arrays(
+            {"depth": sphere(2)[0][:, 2], "other": sphere(2)[0][:, 1]})
         authalic.write_vertex_data(self.here / "depth.txt", surface, "depth")
         authalic.write_vertex_data(self.here / "lh.depth", surface, "depth")
         authalic.write_vertex_data(self.here / "both.func.gii", surface)
@@ -95,20 +99,22 @@ class Files(unittest.TestCase):
 
     def test_bad_files_are_said_in_one_sentence(self):
         (self.here / "bad.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n", encoding="utf-8")
-        for call, kind in ((lambda: authalic.read_surface(self.here / "none.off"), authalic.FormatError),
-                           (lambda: authalic.read_surface(self.here / "bad.off"), authalic.FormatError),
-                           (lambda: authalic.read_volume(self.here / "none.nii"), authalic.FormatError),
-                           (lambda: authalic.read_surface(self.here / "bad.off", space="moon"), authalic.InvalidArgument),
-                           (lambda: authalic.write_surface(self.here / "no/folder.off", *sphere(1)), authalic.FormatError),
-                           (lambda: authalic.write_vertex_data(self.here / "a.txt", authalic.Surface(*sphere(1)), "b"),
-                            authalic.InvalidArgument),
-                           (lambda: authalic.read_vertex_data(DATA / "torus.off", authalic.Surface(*sphere(1))),
-                            authalic.Error)):
+        for call, kind in (
+            (lambda: authalic.read_surface(self.here / "none.off"),
+             authalic.FormatError), (lambda: authalic.read_surface(self.here / "bad.off"), authalic.FormatError),
+            (lambda: authalic.read_volume(self.here / "none.nii"), authalic.FormatError),
+            (lambda: authalic.read_surface(self.here / "bad.off", space="moon"),
+             authalic.InvalidArgument), (lambda: authalic.write_surface(self.here / "no/folder.off", *sphere(1)),
+                                         authalic.FormatError),
+            (lambda: authalic.write_vertex_data(self.here / "a.txt", authalic.Surface(*sphere(1)), "b"),
+             authalic.InvalidArgument),
+            (lambda: authalic.read_vertex_data(DATA / "torus.off", authalic.Surface(*sphere(1))), authalic.Error)):
             with self.assertRaises(kind) as caught:
                 call()
             self.assertNotIn("\n", str(caught.exception))
             self.assertGreater(len(str(caught.exception)), 20)
-        self.assertTrue(issubclass(authalic.FormatError, OSError) and issubclass(authalic.InvalidArgument, ValueError))
+        self.assertTrue(
+            issubclass(authalic.FormatError, OSError) and issubclass(authalic.InvalidArgument, ValueError))
 
 
 class Surfaces(unittest.TestCase):
@@ -124,14 +130,17 @@ class Surfaces(unittest.TestCase):
         report = authalic.topology(points, np.concatenate([faces, faces[5:6]]))
         self.assertGreater(report["duplicate_faces"]["count"], 0)
         self.assertIn(len(faces), report["duplicate_faces"]["first"][0]["ids"])
-        self.assertLess(np.abs(report["duplicate_faces"]["first"][0]["place_mm"] - points[faces[5]].mean(axis=0)).max(), 1e-9)
+        self.assertLess(
+            np.abs(report["duplicate_faces"]["first"][0]["place_mm"] - points[faces[5]].mean(axis=0)).max(), 1e-9)
 
     def test_cutting_by_a_plane_flags_or_labels_gives_the_same_disk(self):
         points, faces = sphere(4)
         below = points[:, 2] < -0.5
-        disks = [authalic.cut_to_disk(points, faces, **how) for how in (
-            dict(plane=((0, 0, -0.5), (0, 0, -1))), dict(region=below), dict(region=np.where(below, 7, 3), values=[7]),
-            dict(region=~below, keep=True))]
+        disks = [
+            authalic.cut_to_disk(points, faces, **how)
+            for how in (dict(plane=((0, 0, -0.5), (0, 0, -1))), dict(region=below),
+                        dict(region=np.where(below, 7, 3), values=[7]), dict(region=~below, keep=True))
+        ]
         for disk in disks:
             self.assertTrue(np.array_equal(disk.faces, disks[0].faces))
             self.assertTrue(np.array_equal(points[disk.point_arrays["OriginalPointIds"]], disk.points))
@@ -151,11 +160,14 @@ class Surfaces(unittest.TestCase):
 
     def test_cutting_needs_one_way_to_say_what(self):
         points, faces = sphere(1)
-        for how, kind in ((dict(), authalic.InvalidArgument), (dict(region=[1], plane=((0, 0, 0), (0, 0, 1))), authalic.InvalidArgument),
-                          (dict(region=[1, 0]), authalic.InvalidArgument), (dict(region="Nowhere"), authalic.InvalidArgument),
-                          (dict(plane=((0, 0), (0, 0, 1))), authalic.InvalidArgument),
-                          (dict(region=np.zeros(len(points))), authalic.Error),
-                          (dict(plane=((0, 0, 0), (0, 0, 1)), smoothness=2), authalic.InvalidArgument)):
+        for how, kind in ((dict(), authalic.InvalidArgument), (dict(
+                region=[1], plane=((0, 0, 0), (0, 0, 1))), authalic.InvalidArgument), (dict(region=[1, 0]),
+                                                                                       authalic.InvalidArgument),
+                          (dict(region="Nowhere"), authalic.InvalidArgument), (dict(plane=((0, 0), (0, 0, 1))),
+                                                                               authalic.InvalidArgument),
+                          (dict(region=np.zeros(len(points))), authalic.Error), (dict(plane=((0, 0, 0), (0, 0, 1)),
+                                                                                      smoothness=2),
+                                                                                 authalic.InvalidArgument)):
             with self.assertRaises(kind):
                 authalic.cut_to_disk(points, faces, **how)
 
@@ -180,12 +192,14 @@ class Surfaces(unittest.TestCase):
 
     def test_a_surface_goes_to_vtk_and_back(self):
         points, faces = sphere(1)
-        whole = authalic.Surface(points, faces, {"a": np.arange(18), "v": points, "b": points[:, 0] > 0}, {"f": np.ones(32)},
+        whole = authalic.Surface(points, faces, {"a": np.arange(18), "v": points, "b": points[:, 0] > 0},
+                                 {"f": np.ones(32)},
                                  {"Text": "words", "Number": 4.5, "Many": [1, 2, 3], "Texts": ["a", "b"]})
         back = authalic.Surface.from_vtk(whole.to_vtk())
         for name, values in {**whole.point_arrays, **whole.face_arrays}.items():
             self.assertTrue(np.array_equal({**back.point_arrays, **back.face_arrays}[name], values), name)
-        self.assertEqual((back.fields["Text"], back.fields["Number"], back.fields["Texts"]), ("words", 4.5, ["a", "b"]))
+        self.assertEqual((back.fields["Text"], back.fields["Number"], back.fields["Texts"]),
+                         ("words", 4.5, ["a", "b"]))
         self.assertTrue(np.array_equal(back.fields["Many"], [1, 2, 3]))
         with self.assertRaisesRegex(authalic.InvalidArgument, "18 vertices"):
             authalic.Surface(points, faces, {"a": np.arange(3)}).to_vtk()
@@ -243,7 +257,8 @@ class Volumes(unittest.TestCase):
                     dict(depths=3), dict(mode="between-surfaces")):
             with self.assertRaises(authalic.InvalidArgument):
                 authalic.sample_volume(surface, linear_volume(), **how)
-        for volume in (None, authalic.Volume(np.zeros((2, 2))), authalic.Volume(np.zeros((2, 2, 2)), np.zeros((4, 4)))):
+        for volume in (None, authalic.Volume(np.zeros(
+            (2, 2))), authalic.Volume(np.zeros((2, 2, 2)), np.zeros((4, 4)))):
             with self.assertRaises(authalic.InvalidArgument):
                 authalic.sample_volume(surface, volume)
 
@@ -255,7 +270,8 @@ class Volumes(unittest.TestCase):
         self.assertLess(sides["left"].points[:, 0].mean(), sides["right"].points[:, 0].mean())
         for surface in sides.values():
             self.assertEqual(authalic.topology(surface)["euler_characteristic"], 2)
-            self.assertEqual(len(authalic.topology(authalic.cut_to_disk(surface, region="MedialWall"))["boundary_loops"]), 1)
+            self.assertEqual(
+                len(authalic.topology(authalic.cut_to_disk(surface, region="MedialWall"))["boundary_loops"]), 1)
 
 
 class Elements(unittest.TestCase):
@@ -264,8 +280,10 @@ class Elements(unittest.TestCase):
         self.map = authalic.flatten(self.surface, domain="square")
 
     def test_areas_sum_to_the_surface_and_means_to_the_mean(self):
-        found = authalic.elements(self.map, {"height": self.surface.points[:, 2], "one": np.ones(len(self.surface.points))},
-                                  count=25, hemisphere="L")
+        found = authalic.elements(self.map,
+                                  {"height": self.surface.points[:, 2], "one": np.ones(len(self.surface.points))},
+                                  count=25,
+                                  hemisphere="L")
         area = authalic.topology(self.surface)["area_mm2"]
         self.assertEqual(found.summary["elements"], 25)
         self.assertAlmostEqual(found.table["area_mm2"].sum() / area, 1.0, 9)
@@ -279,7 +297,9 @@ class Elements(unittest.TestCase):
 
     def test_regions_have_their_names(self):
         labels = np.where(self.surface.points[:, 0] > 0, 2, 1)
-        found = authalic.elements(self.map, {"x": self.surface.points[:, 0]}, labels, {1: "left", 2: "right"}, count=16)
+        found = authalic.elements(self.map, {"x": self.surface.points[:, 0]},
+                                  labels, {1: "left", 2: "right"},
+                                  count=16)
         self.assertEqual(list(found.regions["label_name"]), ["left", "right"])
         self.assertLess(found.regions["x_mean"][0], found.regions["x_mean"][1])
         self.assertEqual(authalic.elements(self.map, count=4).regions, {})

@@ -11,7 +11,8 @@ SCRIPT = """
 import pathlib, sys
 import numpy, authalic
 assert pathlib.Path(authalic.__file__).is_relative_to(sys.argv[1]), authalic.__file__
-result = authalic.flatten([(0, 0), (1, 0), (1, 1), (0, 1), (0.2, 0.3)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)], "tutte")
+square, fan = [(0, 0), (1, 0), (1, 1), (0, 1), (0.2, 0.3)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+result = authalic.flatten(square, fan, "tutte")
 assert abs(result.image[4]).max() < 1e-12, result.image
 libraries = [line.split()[-1] for line in open("/proc/self/maps") if "uthalic" in line]
 assert libraries and all(path.startswith(sys.argv[1]) for path in libraries), libraries
@@ -26,7 +27,9 @@ class Install(unittest.TestCase):
             self.skipTest("AUTHALIC_BINARY_DIR does not say what to install")
         with tempfile.TemporaryDirectory() as here:
             here = str(pathlib.Path(here).resolve())
-            subprocess.run(["cmake", "--install", build, "--prefix", f"{here}/first"], check=True, capture_output=True)
+            subprocess.run(["cmake", "--install", build, "--prefix", f"{here}/first"],
+                           check=True,
+                           capture_output=True)
             os.rename(f"{here}/first", f"{here}/second")
             package, = pathlib.Path(here, "second").glob("lib*/**/site-packages")
             files = {path.name for path in (package / "authalic").iterdir()}

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The manners of a VTK filter, asked of every class of the package: a class without a line in the table below fails."""
+"""The manners of a VTK filter, asked of every class of the package: a class without a line in the table below
+fails."""
 import dataclasses
 import gc
 import json
@@ -18,7 +19,10 @@ import authalic
 
 DATA = pathlib.Path(__file__).parents[2] / "data"
 HERE = tempfile.TemporaryDirectory()
-GENERAL = {name for base in (vtkPolyDataAlgorithm, vtkTableAlgorithm, vtkImageAlgorithm, vtkWriter) for name in dir(base)}
+GENERAL = {
+    name
+    for base in (vtkPolyDataAlgorithm, vtkTableAlgorithm, vtkImageAlgorithm, vtkWriter) for name in dir(base)
+}
 
 
 def disk():
@@ -39,7 +43,8 @@ def with_arrays(surface, more=None):
 
 def the_map():
     result = authalic.flatten(authalic.Surface.from_vtk(disk()), method="mean-value")
-    return result.with_point_arrays({"Sampled": result.points[:, 2], "SampledCoverage": np.ones(len(result.points))}).to_vtk()
+    return result.with_point_arrays(
+        {"Sampled": result.points[:, 2], "SampledCoverage": np.ones(len(result.points))}).to_vtk()
 
 
 def grid():
@@ -91,9 +96,10 @@ CASES = {
     "vtkElementStatistics": Case((grid,), wrong=(0, the_map), keeps_vertices=False,
                                  adders={"AddFieldArray": ("Kept",), "AddRegion": (1, "one")}),
     "vtkCorticalSurface": Case((t1,), {"TargetFaces": 3000}, wrong=(0, vtkImageData), keeps_vertices=False),
-    "vtkSurfaceFileReader": Case((), {"FileName": str(DATA / "torus.off")}, wrong=None, keeps_vertices=False, stops=False),
-    "vtkVolumeFileReader": Case((), {"FileName": str(DATA / "phantom_t1.nii.gz")}, wrong=None, keeps_vertices=False,
-                                stops=False),
+    "vtkSurfaceFileReader": Case((), {"FileName": str(DATA / "torus.off")}, wrong=None, stops=False,
+                                 keeps_vertices=False),
+    "vtkVolumeFileReader": Case((), {"FileName": str(DATA / "phantom_t1.nii.gz")}, wrong=None, stops=False,
+                                keeps_vertices=False),
     "vtkVertexDataReader": Case((disk,), {"FileName": file_named("height.txt")}, wrong=(0, ball), stops=False),
     "vtkSurfaceFileWriter": Case((disk,), {"FileName": str(pathlib.Path(HERE.name, "out.vtp"))}, stops=False,
                                  keeps_vertices=False, writer=True),
@@ -226,7 +232,8 @@ def is_filter(case):
 
 def is_map(case):
     """Whether its class is a map of a surface."""
-    return getattr(authalic, next(name for name, other in CASES.items() if other is case))().IsA("vtkSurfaceMapAlgorithm")
+    name = next(name for name, other in CASES.items() if other is case)
+    return getattr(authalic, name)().IsA("vtkSurfaceMapAlgorithm")
 
 
 def has_inputs(case):

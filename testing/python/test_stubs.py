@@ -40,13 +40,15 @@ class Stubs(unittest.TestCase):
                 self.assertEqual(set(members(node)), real, key)
 
     def test_every_overload_of_the_docstring_is_there(self):
-        node = next(n for n in stub("vtkAuthalicFiltersSegmentation").body if getattr(n, "name", "") == "vtkCutToDisk")
+        node = next(n for n in stub("vtkAuthalicFiltersSegmentation").body
+                    if getattr(n, "name", "") == "vtkCutToDisk")
         found = [len(n.args.args) for n in node.body if getattr(n, "name", "") == "SetPlaneOrigin"]
         self.assertEqual(sorted(found), [2, 4])
 
     def test_the_package_shows_every_class(self):
         names = next(node.value for node in stub("_classes").body if isinstance(node, ast.Assign))
-        self.assertEqual(ast.literal_eval(names), [name for name in sorted(authalic.__all__) if name.startswith("vtk")])
+        self.assertEqual(ast.literal_eval(names),
+                         [name for name in sorted(authalic.__all__) if name.startswith("vtk")])
 
     def test_the_package_is_marked_as_typed(self):
         self.assertTrue((FOLDER / "py.typed").exists())
@@ -61,14 +63,22 @@ class Stubs(unittest.TestCase):
         right = ("import authalic, numpy\nresult = authalic.flatten(numpy.eye(3), [[0, 1, 2]], method='tutte')\n"
                  "flow = authalic.vtkDiscreteLieFlow()\nflow.SetTolerance(0.1)\nnumber: float = flow.GetTolerance()\n"
                  "image: numpy.ndarray = result.image\nauthalic.Surface(numpy.eye(3), numpy.eye(3)).to_vtk()\n")
-        for text, faults in ((right, 0), (right + "flow.SetTolerance('a')\nauthalic.flatten(faces=2)\nwords: str = flow.GetTolerance()\n", 3)):
+        for text, faults in ((right, 0), (
+                right + "flow.SetTolerance('a')\nauthalic.flatten(faces=2)\nwords: str = flow.GetTolerance()\n",
+                3)):
             with tempfile.TemporaryDirectory() as here:
                 script = pathlib.Path(here, "typed.py")
                 script.write_text(text, encoding="utf-8")
-                done = subprocess.run(
-                    [shutil.which("mypy"), "--python-executable", sys.executable, "--ignore-missing-imports",
-                     "--no-error-summary", "--cache-dir", str(pathlib.Path(here, "cache")), "typed.py"],
-                    cwd=here, env={"MYPYPATH": str(FOLDER.parent), "PATH": "/usr/bin:/bin"}, capture_output=True, text=True, check=False)
+                done = subprocess.run([
+                    shutil.which("mypy"), "--python-executable", sys.executable, "--ignore-missing-imports",
+                    "--no-error-summary", "--cache-dir",
+                    str(pathlib.Path(here, "cache")), "typed.py"
+                ],
+                                      cwd=here,
+                                      env={"MYPYPATH": str(FOLDER.parent), "PATH": "/usr/bin:/bin"},
+                                      capture_output=True,
+                                      text=True,
+                                      check=False)
             self.assertEqual(len(done.stdout.splitlines()), faults, done.stdout + done.stderr)
 
 

@@ -17,14 +17,14 @@ Functions take and return numpy arrays:
     failures   Error: InvalidArgument, SurfaceError, SolverError, FormatError, Cancelled, NotConverged;
                AuthalicWarning: NotConvergedWarning
 
-They run the VTK classes of this package (vtkDiscreteLieFlow ...), which join any VTK pipeline by themselves; help() shows
-their ports, arrays and options with units and defaults. Coordinates are scanner RAS in mm.
+They run the VTK classes of this package (vtkDiscreteLieFlow ...), which join any VTK pipeline by themselves;
+help() shows their ports, arrays and options with units and defaults. Coordinates are scanner RAS in mm.
 """
 from . import _classes
 from ._classes import *  # noqa: F403
 from ._elements import Elements, elements
-from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged, NotConvergedWarning,
-                      SolverError, SurfaceError)
+from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged,
+                      NotConvergedWarning, SolverError, SurfaceError)
 from ._maps import Distortion, SurfaceMap, flatten, measure_distortion, methods
 from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
                         write_vertex_data)
@@ -32,9 +32,34 @@ from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, rea
 
 __version__ = "@PROJECT_VERSION@"
 __all__ = [
-    "AuthalicWarning", "Cancelled", "Distortion", "Elements", "Error", "FormatError", "InvalidArgument", "NotConverged",
-    "NotConvergedWarning", "Samples", "SolverError", "Surface", "SurfaceError", "SurfaceMap", "Volume",
-    "cortical_surfaces", "cut_to_disk", "elements", "flatten", "labels_on_surface", "measure_distortion", "methods",
-    "read_surface", "read_vertex_data", "read_volume", "sample_volume", "topology", "write_surface", "write_vertex_data",
+    "AuthalicWarning",
+    "Cancelled",
+    "Distortion",
+    "Elements",
+    "Error",
+    "FormatError",
+    "InvalidArgument",
+    "NotConverged",
+    "NotConvergedWarning",
+    "Samples",
+    "SolverError",
+    "Surface",
+    "SurfaceError",
+    "SurfaceMap",
+    "Volume",
+    "cortical_surfaces",
+    "cut_to_disk",
+    "elements",
+    "flatten",
+    "labels_on_surface",
+    "measure_distortion",
+    "methods",
+    "read_surface",
+    "read_vertex_data",
+    "read_volume",
+    "sample_volume",
+    "topology",
+    "write_surface",
+    "write_vertex_data",
 ]
 __all__ += _classes.__all__

@@ -18,7 +18,8 @@ def numbers(values, name, shape=None, dtype=float):
         array = array.astype(dtype) if dtype is not None else array
     except (TypeError, ValueError):
         raise InvalidArgument(f"{name} must be an array of numbers; it is {_kind(values)}.") from None
-    if shape is not None and (array.ndim != len(shape) or any(w not in (None, h) for w, h in zip(shape, array.shape))):
+    if shape is not None and (array.ndim != len(shape) or any(w not in (None, h)
+                                                              for w, h in zip(shape, array.shape))):
         raise InvalidArgument(f"{name} must have shape {_text(shape)}; it has {_text(array.shape)}.")
     return array
 
@@ -77,7 +78,8 @@ def points_of(mesh):
 def faces_of(mesh):
     """m×3 vertex indices. Raises SurfaceError unless every polygon is a triangle."""
     polygons = mesh.GetPolys()
-    ids = vtk_to_numpy(polygons.GetConnectivityArray()).astype(np.int64) if polygons.GetNumberOfCells() else np.zeros(0, int)
+    ids = vtk_to_numpy(polygons.GetConnectivityArray()).astype(
+        np.int64) if polygons.GetNumberOfCells() else np.zeros(0, int)
     if len(ids) != 3 * polygons.GetNumberOfCells() or polygons.IsHomogeneous() not in (0, 3):
         raise SurfaceError("The surface must consist of triangles; run vtkTriangleFilter first.")
     return ids.reshape(-1, 3)

@@ -12,15 +12,16 @@ from . import _arrays, _classes, _filters
 from ._surfaces import Progress, to_polydata
 
 Table = dict[str, Any]
-SUMMARY = ("Elements", "GridColumns", "GridRows", "InteriorElements", "InteriorMaximumDeviation", "InteriorMeanDeviation",
-           "MaximumDeviation", "MeanDeviation")
+SUMMARY = ("Elements", "GridColumns", "GridRows", "InteriorElements", "InteriorMaximumDeviation",
+           "InteriorMeanDeviation", "MaximumDeviation", "MeanDeviation")
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Elements:
     """Elements of a map: an isotropic grid on its image, pulled back to the surface.
 
-    table       {column: (elements,) array}: element_id, area_mm2, centroid_x_mm ..., FIELD_mean ... (docs/arrays.md)
+    table       {column: (elements,) array}: element_id, area_mm2, centroid_x_mm ..., FIELD_mean ...
+                (docs/arrays.md)
     regions     the same per label; {} without labels
     point_ids   (n,) element of the largest part of each vertex, from 1; 0 = none
     face_ids    (m,) the same for each face
@@ -38,9 +39,18 @@ class Elements:
         return f"Elements({len(self.table['element_id'])} elements, columns={list(self.table)})"
 
 
-def elements(map: Any, fields: Optional[Mapping[str, Any]] = None, labels: Any = None,  # pylint: disable=redefined-builtin
-             names: Optional[Mapping[int, str]] = None, *, count: Optional[int] = None, area: Optional[float] = None,
-             hemisphere: Optional[str] = None, threads: int = 0, progress: Progress = None, **options: Any) -> Elements:
+def elements(
+        map: Any,  # pylint: disable=redefined-builtin
+        fields: Optional[Mapping[str, Any]] = None,
+        labels: Any = None,
+        names: Optional[Mapping[int, str]] = None,
+        *,
+        count: Optional[int] = None,
+        area: Optional[float] = None,
+        hemisphere: Optional[str] = None,
+        threads: int = 0,
+        progress: Progress = None,
+        **options: Any) -> Elements:
     """Divides a map into elements of equal area and summarises fields in them, weighted by area.
 
     map         SurfaceMap, or the vtkPolyData of a map filter
@@ -73,7 +83,8 @@ def elements(map: Any, fields: Optional[Mapping[str, Any]] = None, labels: Any =
     _filters.warn(_filters.run(statistics, progress)[1])
     return Elements(_table(statistics.GetOutput(0)), _table(statistics.GetOutput(1)),
                     _arrays.arrays_of(divided.GetPointData())["ElementId"],
-                    _arrays.arrays_of(divided.GetCellData())["ElementId"], _segments(grid.GetOutput(1)), _numbers(divided))
+                    _arrays.arrays_of(divided.GetCellData())["ElementId"], _segments(grid.GetOutput(1)),
+                    _numbers(divided))
 
 
 def _table(table):

@@ -88,7 +88,8 @@ def _set_value(algorithm, name, value):
         raise InvalidArgument(f"{name} cannot be {value!r}: {reason}.") from None
     kept = getattr(algorithm, "Get" + ivar(name))()
     if isinstance(kept, (int, float)) and kept != value:
-        raise InvalidArgument(f"{name} is outside its range: it is {value}, the nearest value that is allowed is {kept}.")
+        raise InvalidArgument(
+            f"{name} is outside its range: it is {value}, the nearest value that is allowed is {kept}.")
 
 
 class _Watch:
@@ -145,8 +146,8 @@ def _sentence(text):
 def run(algorithm, progress=None, execute=None):
     """Updates the filter (or calls `execute`); returns (ErrorKind, what it warned of).
 
-    Raises the exception that belongs to its ErrorKind with its sentence, what `progress` raised, KeyboardInterrupt after
-    Ctrl-C, or Cancelled when `progress` returned False."""
+    Raises the exception that belongs to its ErrorKind with its sentence, what `progress` raised, KeyboardInterrupt
+    after Ctrl-C, or Cancelled when `progress` returned False."""
     if progress is not None and not callable(progress):
         raise InvalidArgument("progress must be callable as progress(fraction, stage).")
     with _Watch(algorithm, progress) as watch:

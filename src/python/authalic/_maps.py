@@ -14,8 +14,8 @@ from ._surfaces import Progress, Surface, to_polydata
 
 @dataclasses.dataclass(frozen=True)
 class Method:
-    """A method of flatten(): the name of its filter, the settings that make the filter that method, and the topology of
-    surface that it takes: "disk", "sphere" or "annulus"."""
+    """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
+    topology of surface that it takes: "disk", "sphere" or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -95,21 +95,32 @@ def methods() -> dict[str, dict[str, Any]]:
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
 
-def flatten(points: Any, faces: Any = None, method: str = "lie-flow", domain: Any = None, measure: Any = None,
-            initial: Any = None, tolerance: Optional[float] = None, max_iterations: Optional[int] = None, *,
-            threads: int = 0, progress: Progress = None, on_not_converged: str = "warn", **options: Any) -> SurfaceMap:
+def flatten(points: Any,
+            faces: Any = None,
+            method: str = "lie-flow",
+            domain: Any = None,
+            measure: Any = None,
+            initial: Any = None,
+            tolerance: Optional[float] = None,
+            max_iterations: Optional[int] = None,
+            *,
+            threads: int = 0,
+            progress: Progress = None,
+            on_not_converged: str = "warn",
+            **options: Any) -> SurfaceMap:
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
                 The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
                 "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
-    domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the corners of a
-                polygon, (k, 2)
-    measure     density relative to the native area, one number >= 0 per vertex (n) or per face (m), or the name of such an
-                array of the surface; a region with 4 gets four times the share that its area has. None = 1 everywhere.
-                Where n = m the numbers are per vertex
-    initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the same domain
+    domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
+                corners of a polygon, (k, 2)
+    measure     density relative to the native area, one number >= 0 per vertex (n) or per face (m), or the name of
+                such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
+                everywhere. Where n = m the numbers are per vertex
+    initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
+                same domain
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     threads     0 = every core; the result does not depend on it
@@ -118,8 +129,8 @@ def flatten(points: Any, faces: Any = None, method: str = "lie-flow", domain: An
     options     further options of the method by name, see methods()
 
     Returns a SurfaceMap; its status says whether the tolerance was reached, its metrics count flipped faces.
-    Raises SurfaceError (wrong topology, degenerate geometry), InvalidArgument, SolverError, Cancelled, NotConverged,
-    KeyboardInterrupt after Ctrl-C.
+    Raises SurfaceError (wrong topology, degenerate geometry), InvalidArgument, SolverError, Cancelled,
+    NotConverged, KeyboardInterrupt after Ctrl-C.
 
     >>> import authalic
     >>> disk = authalic.cut_to_disk(authalic.read_surface("lh.pial"), region=cortex_flags, keep=True)
@@ -154,7 +165,8 @@ def _refuse_unknown(algorithm, method, options):
     known = methods()[method]
     for name, value in options.items():
         if value is not None and name not in known:
-            raise InvalidArgument(f"Method {method} has no option '{name}'; it has: {', '.join(sorted(known)) or 'none'}.")
+            raise InvalidArgument(
+                f"Method {method} has no option '{name}'; it has: {', '.join(sorted(known)) or 'none'}.")
 
 
 def _set_domain(algorithm, method, domain):
@@ -258,5 +270,3 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
              ("AreaDistortion", "AngleDistortion", "Flipped", "Beltrami", "SigmaMax", "SigmaMin")}
     return Distortion(json.loads(algorithm.GetReport()), cells,
                       {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]})
-
-

@@ -34,8 +34,9 @@ class Surface:
     @classmethod
     def from_vtk(cls, polydata: Any) -> Surface:
         """Copies a vtkPolyData of triangles."""
-        return cls(_arrays.points_of(polydata), _arrays.faces_of(polydata), _arrays.arrays_of(polydata.GetPointData()),
-                   _arrays.arrays_of(polydata.GetCellData()), _arrays.fields_of(polydata))
+        return cls(_arrays.points_of(polydata), _arrays.faces_of(polydata),
+                   _arrays.arrays_of(polydata.GetPointData()), _arrays.arrays_of(polydata.GetCellData()),
+                   _arrays.fields_of(polydata))
 
     def to_vtk(self) -> Any:
         """A vtkPolyData with copies of everything, for any VTK filter."""
@@ -67,7 +68,8 @@ def to_polydata(points: Any, faces: Any = None) -> Any:
             raise InvalidArgument("A surface is needed: points and faces, a Surface, or a vtkPolyData.")
         return Surface(points, faces).to_vtk()
     if faces is not None:
-        raise InvalidArgument("faces are given twice; leave them out where the first argument is a surface with faces.")
+        raise InvalidArgument(
+            "faces are given twice; leave them out where the first argument is a surface with faces.")
     return mesh
 
 
@@ -75,7 +77,8 @@ def read_surface(path: Path, space: str = "as-stated") -> Surface:
     """Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
 
     path   FreeSurfer (lh.pial ...), .gii, .gii.gz, .off, .ply, .obj, .vtp, .vtk, .stl
-    space  "as-stated": believe the file; "scanner-ras" or "tk-ras": the coordinates are in that space whatever it says
+    space  "as-stated": believe the file; "scanner-ras" or "tk-ras": the coordinates are in that space whatever it
+           says
 
     fields["CoordinateSpace"] is "scanner-ras" or "unknown". Raises FormatError, SurfaceError, InvalidArgument.
     """
@@ -123,7 +126,8 @@ def read_vertex_data(path: Path, surface: Any, name: Optional[str] = None) -> Su
 def write_vertex_data(path: Path, surface: Any, *names: str) -> None:
     """Writes point arrays of a surface as per-vertex data, whole or not at all.
 
-    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .txt, anything else FreeSurfer's curv (one array)
+    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .txt, anything else FreeSurfer's curv (one
+           array)
     names  of the arrays; none = every array of one component
 
     Raises FormatError, InvalidArgument when there is no such array.
@@ -148,21 +152,28 @@ def topology(points: Any, faces: Any = None) -> dict[str, Any]:
     return json.loads(report.GetReport())
 
 
-def cut_to_disk(points: Any, faces: Any = None, *, region: Any = None, values: Sequence[Union[int, str]] = (), keep: bool = False,
-                plane: Optional[tuple[Sequence[float], Sequence[float]]] = None, progress: Progress = None,
+def cut_to_disk(points: Any,
+                faces: Any = None,
+                *,
+                region: Any = None,
+                values: Sequence[Union[int, str]] = (),
+                keep: bool = False,
+                plane: Optional[tuple[Sequence[float], Sequence[float]]] = None,
+                progress: Progress = None,
                 **options: Any) -> Surface:
     """Opens a closed surface by removing a region (the medial wall), so that what is left is a disk.
 
     points, faces  arrays, or one Surface or vtkPolyData of genus 0
     region         one label or flag per vertex, or the name of such a point array
-    values         labels that form the region, or their names where an annotation was read; none = every label but 0
+    values         labels that form the region, or their names where an annotation was read; none = every label but
+                   0
     keep           the region is what to keep (a cortex label)
     plane          (point, normal) instead of a region: removes the side that the normal points to, mm
     progress       progress(fraction, stage); returning False cancels
     options        of vtkCutToDisk: largest_region_only, loop_smoothing
 
-    point_arrays["OriginalPointIds"] and face_arrays["OriginalCellIds"] say where each vertex and face comes from; fields
-    have RemovedArea, KeptArea, LoopLength and counts. Raises SurfaceError, InvalidArgument, Cancelled.
+    point_arrays["OriginalPointIds"] and face_arrays["OriginalCellIds"] say where each vertex and face comes from;
+    fields have RemovedArea, KeptArea, LoopLength and counts. Raises SurfaceError, InvalidArgument, Cancelled.
     """
     mesh = to_polydata(points, faces)
     cut = _classes.vtkCutToDisk()
@@ -206,5 +217,6 @@ def require_space(**given):
     """Refuses to bring objects together when one of them says that its space is unknown."""
     for name, mesh in given.items():
         if mesh is not None and _arrays.fields_of(mesh).get("CoordinateSpace") == "unknown":
-            raise InvalidArgument(f"The {name} must be in scanner RAS mm, but it does not say in which space it is; where you "
-                                  'know, say so: read_surface(path, space="scanner-ras").')
+            raise InvalidArgument(
+                f"The {name} must be in scanner RAS mm, but it does not say in which space it is; where you "
+                'know, say so: read_surface(path, space="scanner-ras").')

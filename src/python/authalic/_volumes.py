@@ -40,7 +40,8 @@ class Volume:
         return cls(values, affine, _arrays.fields_of(image))
 
     def to_vtk(self) -> Any:
-        """A vtkImageData with origin, spacing and direction matrix such that its physical coordinates are scanner RAS."""
+        """A vtkImageData with origin, spacing and direction matrix such that its physical coordinates are scanner
+        RAS."""
         values = _arrays.numbers(self.values, "values", (None, None, None), dtype=None)
         affine = _arrays.numbers(self.affine, "affine", (4, 4))
         spacing = np.linalg.norm(affine[:3, :3], axis=0)
@@ -73,8 +74,8 @@ def read_volume(path: Path, frame: int = 0) -> Volume:
 
     frame  of a file of more than three dimensions, from 0
 
-    Whole numbers stay int, else float with slope and intercept applied. fields["CoordinateSpace"] is "scanner-ras", or
-    "unknown" when the file does not orient itself. Raises FormatError.
+    Whole numbers stay int, else float with slope and intercept applied. fields["CoordinateSpace"] is
+    "scanner-ras", or "unknown" when the file does not orient itself. Raises FormatError.
     """
     reader = _classes.vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
@@ -93,10 +94,18 @@ def _image(volume: Any) -> Any:
     raise InvalidArgument("A volume is needed: a Volume, a vtkImageData, or the path of a file.")
 
 
-def sample_volume(surface: Any, volume: Any, mode: str = "at-vertex", *, depths: Optional[tuple[float, float, float]] = None,
-                  other: Any = None, fractions: Optional[tuple[float, float, float]] = None,
-                  reducer: Optional[str] = None, interpolation: Optional[str] = None, skip_zero: Optional[bool] = None,
-                  threads: int = 0, progress: Progress = None) -> Samples:
+def sample_volume(surface: Any,
+                  volume: Any,
+                  mode: str = "at-vertex",
+                  *,
+                  depths: Optional[tuple[float, float, float]] = None,
+                  other: Any = None,
+                  fractions: Optional[tuple[float, float, float]] = None,
+                  reducer: Optional[str] = None,
+                  interpolation: Optional[str] = None,
+                  skip_zero: Optional[bool] = None,
+                  threads: int = 0,
+                  progress: Progress = None) -> Samples:
     """Reads a volume at, below, or between surfaces: one number per vertex.
 
     surface        Surface, SurfaceMap (its surface is sampled, not its image) or vtkPolyData; scanner RAS mm
@@ -109,8 +118,8 @@ def sample_volume(surface: Any, volume: Any, mode: str = "at-vertex", *, depths:
     interpolation  "trilinear" or "nearest"
     skip_zero      a sample of exactly 0 counts as n/a
 
-    None = the default of vtkSampleVolumeOnSurface. A vertex without a valid sample is NaN, never 0. A surface or volume
-    that says that its space is unknown is refused.
+    None = the default of vtkSampleVolumeOnSurface. A vertex without a valid sample is NaN, never 0. A surface or
+    volume that says that its space is unknown is refused.
     Raises SurfaceError, InvalidArgument, FormatError, Cancelled.
     """
     sampler = _classes.vtkSampleVolumeOnSurface()
@@ -155,7 +164,8 @@ def cortical_surfaces(t1: Any, labels: Any = None, *, progress: Progress = None,
 
     t1       Volume, vtkImageData, or the path of a file; skull-stripped unless labels are given
     labels   region labels on any grid, see label_convention
-    options  of vtkCorticalSurface: label_convention ("aal", "free-surfer"), threshold, target_faces, smoothing_iterations ...
+    options  of vtkCorticalSurface: label_convention ("aal", "free-surfer"), threshold, target_faces,
+             smoothing_iterations ...
 
     point_arrays["MedialWall"] marks what cut_to_disk removes. Doubts (an implausible area) are AuthalicWarnings.
     Raises SurfaceError, InvalidArgument, FormatError, Cancelled.
