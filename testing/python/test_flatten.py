@@ -7,13 +7,14 @@ import pathlib
 import signal
 import subprocess
 import sys
+import tempfile
 import unittest
 import warnings
 
 import numpy as np
 
 import authalic
-from authalic import _maps
+from authalic import _classes, _maps
 
 DATA = pathlib.Path(__file__).parents[2] / "data"
 
@@ -86,6 +87,16 @@ class Results(unittest.TestCase):
         self.assertTrue(np.array_equal(result.image, again.image))
         self.assertEqual(result.metrics, again.metrics)
         self.assertTrue(np.array_equal(result.face_arrays["AreaDistortion"], again.face_arrays["AreaDistortion"]))
+
+    def test_has_the_bits_of_the_command(self):
+        command = pathlib.Path(os.environ.get("AUTHALIC_BINARY_DIR", ""), "bin/authalic")
+        if not command.exists():
+            self.skipTest(f"{command} is not there")
+        with tempfile.TemporaryDirectory() as here:
+            disk, image = str(DATA / "bumpy_disk.off"), f"{here}/map.vtp"
+            subprocess.run([str(command), "map", "lie-flow", disk, "-o", image, "--quiet"], check=True)
+            self.assertTrue(np.array_equal(authalic.read_surface(image).points[:, :2],
+                                           authalic.flatten(authalic.read_surface(disk)).image))
 
     def test_options_left_out_have_the_defaults_of_the_filter(self):
         flow = authalic.vtkDiscreteLieFlow()
@@ -266,6 +277,24 @@ class Stopping(unittest.TestCase):
             raise KeyError("mine")
         with self.assertRaisesRegex(KeyError, "mine"):
             authalic.flatten(*bumpy_disk(), progress=fail)
+
+    def test_no_filter_is_left_behind(self):
+        made, gone, original = [], [], _classes.vtkDiscreteLieFlow
+
+        def make():
+            made.append(1)
+            algorithm = original()
+            algorithm.AddObserver("DeleteEvent", lambda *_: gone.append(1))
+            return algorithm
+        try:
+            _classes.vtkDiscreteLieFlow = make
+            authalic.flatten(*bumpy_disk(), progress=lambda *_: None)
+            with self.assertRaises(authalic.SurfaceError):
+                authalic.flatten(authalic.read_surface(DATA / "torus.off"))
+        finally:
+            _classes.vtkDiscreteLieFlow = original
+        self.assertGreater(len(made), 1)
+        self.assertEqual(len(gone), len(made))
 
     def test_control_c_is_a_keyboard_interrupt_before_the_end(self):
         handler = signal.getsignal(signal.SIGINT)

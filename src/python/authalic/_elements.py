@@ -16,7 +16,7 @@ SUMMARY = ("Elements", "GridColumns", "GridRows", "InteriorElements", "InteriorM
            "InteriorMeanDeviation", "MaximumDeviation", "MeanDeviation")
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Elements:
     """Elements of a map: an isotropic grid on its image, pulled back to the surface.
 

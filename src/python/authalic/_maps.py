@@ -36,7 +36,7 @@ METHODS: dict[str, Method] = {
 }
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
@@ -223,7 +223,7 @@ def _set_initial(algorithm, method, mesh, initial):
     algorithm.SetInputData(1, start)
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Distortion:
     """How much a map changes areas and angles.
 

@@ -15,7 +15,7 @@ Progress = Optional[Callable[[float, str], Any]]
 Path = Union[str, "os.PathLike[str]"]
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Surface:
     """A triangle surface with everything that is known per vertex, per face and as a whole.
 

@@ -14,7 +14,7 @@ from ._errors import InvalidArgument
 from ._surfaces import Path, Progress, Surface, require_space, to_polydata
 
 
-@dataclasses.dataclass(frozen=True, repr=False)
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Volume:
     """Voxels and where they are.
 
