@@ -2,8 +2,8 @@
 # %% [markdown]
 # # Authalic from Python
 #
-# Surfaces in, maps out, numpy arrays all the way. Run this file as it is (`PYTHONPATH=build/release/lib/python3.11/
-# site-packages /usr/bin/python3 pipelines/tutorial.py`), or cell by cell in an editor that knows `# %%`.
+# Surfaces in, maps out, numpy arrays all the way. Run this file as it is, with the package on the path (see README.md
+# beside it), or cell by cell in an editor that knows `# %%`.
 
 # %%
 import pathlib

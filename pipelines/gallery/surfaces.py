@@ -1,11 +1,23 @@
 """What the scripts of the gallery start from: a disk of cortex out of the files that a user has."""
 import pathlib
+import sys
 
 import numpy as np
 
 import authalic
 
 FIXTURES = pathlib.Path(__file__).resolve().parents[2] / "data"
+
+
+def say(kind, failure, trace):
+    """A failure of authalic in its one sentence, anything else with its trace."""
+    if isinstance(failure, authalic.Error):
+        print(f"{pathlib.Path(sys.argv[0]).name}: {failure}", file=sys.stderr)
+    else:
+        sys.__excepthook__(kind, failure, trace)
+
+
+sys.excepthook = say
 
 
 def add_options(parser):

@@ -101,6 +101,14 @@ class FlattenHemisphere(Script):
         self.holds("--surface", surface, "--region", annotation, "--values", names[0])
 
 
+    def test_on_fixtures_failures_are_one_sentence(self):
+        for options in (("--surface", "none.off"), ("--surface", ROOT / "data/bumpy_disk.off", "--region", "none.label")):
+            done = subprocess.run([sys.executable, str(GALLERY / "flatten_hemisphere.py"), "--out", str(self.out),
+                                   *map(str, options)], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+            self.assertIn("does not exist", done.stderr)
+
+
 class Pet(Script):
     def holds(self, low, high, *options):
         self.assertIn(" 0 vertices without a value", self.run_script("pet_on_cortex.py", *options))

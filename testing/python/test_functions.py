@@ -204,6 +204,17 @@ class Surfaces(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "18 vertices"):
             authalic.Surface(points, faces, {"a": np.arange(3)}).to_vtk()
 
+    def test_numbers_of_any_byte_order_and_width_are_taken(self):
+        points, faces = sphere(1)
+        for kind in (">f8", "<f8", ">f4", "f2", "g", ">i4", "u2", "?", "i8"):
+            values = np.arange(len(points)).astype(kind)
+            back = authalic.Surface.from_vtk(authalic.Surface(points, faces, {"a": values}).to_vtk())
+            self.assertTrue(np.array_equal(back.point_arrays["a"], values.astype(float)), kind)
+        swapped = authalic.Surface(points.astype(">f8"), faces.astype(">i4")).to_vtk()
+        self.assertTrue(np.array_equal(authalic.Surface.from_vtk(swapped).points, points))
+        volume = authalic.Volume(np.arange(27).reshape(3, 3, 3).astype(">i2"))
+        self.assertTrue(np.array_equal(authalic.Volume.from_vtk(volume.to_vtk()).values, volume.values))
+
     def test_polygons_of_a_foreign_polydata_are_refused(self):
         from vtkmodules.vtkFiltersSources import vtkPlaneSource
         quad = vtkPlaneSource()

@@ -31,7 +31,7 @@ class Install(unittest.TestCase):
                            check=True,
                            capture_output=True)
             os.rename(f"{here}/first", f"{here}/second")
-            package, = pathlib.Path(here, "second").glob("lib*/**/site-packages")
+            package = next(pathlib.Path(here, "second").glob("lib*/**/authalic/__init__.py")).parents[1]
             files = {path.name for path in (package / "authalic").iterdir()}
             self.assertLessEqual({"py.typed", "_classes.pyi", "__init__.py", "_maps.py"}, files)
             self.assertNotIn("__pycache__", files)

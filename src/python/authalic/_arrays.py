@@ -15,13 +15,18 @@ def numbers(values, name, shape=None, dtype=float):
         array = np.ascontiguousarray(values)
         if array.dtype == object or array.dtype.kind not in "biuf":
             raise TypeError
-        array = array.astype(dtype) if dtype is not None else array
+        array = array.astype(_storable(array.dtype) if dtype is None else dtype, copy=False)
     except (TypeError, ValueError):
         raise InvalidArgument(f"{name} must be an array of numbers; it is {_kind(values)}.") from None
     if shape is not None and (array.ndim != len(shape) or any(w not in (None, h)
                                                               for w, h in zip(shape, array.shape))):
         raise InvalidArgument(f"{name} must have shape {_text(shape)}; it has {_text(array.shape)}.")
     return array
+
+
+def _storable(dtype):
+    """The type of number that VTK can keep: in this machine's byte order; half and long double become double."""
+    return np.dtype(float) if dtype.kind == "f" and dtype.itemsize not in (4, 8) else dtype.newbyteorder("=")
 
 
 def _kind(values):
