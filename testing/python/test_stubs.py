@@ -61,25 +61,18 @@ class Stubs(unittest.TestCase):
     @unittest.skipUnless(shutil.which("mypy"), "mypy is not installed")
     def test_mypy_believes_the_package_and_finds_wrong_calls(self):
         right = ("import authalic, numpy\nresult = authalic.flatten(numpy.eye(3), [[0, 1, 2]], method='tutte')\n"
-                 "flow = authalic.vtkDiscreteLieFlow()\nflow.SetTolerance(0.1)\nnumber: float = flow.GetTolerance()\n"
-                 "image: numpy.ndarray = result.image\nauthalic.Surface(numpy.eye(3), numpy.eye(3)).to_vtk()\n")
-        for text, faults in ((right, 0), (
-                right + "flow.SetTolerance('a')\nauthalic.flatten(faces=2)\nwords: str = flow.GetTolerance()\n",
-                3)):
-            with tempfile.TemporaryDirectory() as here:
-                script = pathlib.Path(here, "typed.py")
-                script.write_text(text, encoding="utf-8")
-                done = subprocess.run([
-                    shutil.which("mypy"), "--python-executable", sys.executable, "--ignore-missing-imports",
-                    "--no-error-summary", "--cache-dir",
-                    str(pathlib.Path(here, "cache")), "typed.py"
-                ],
-                                      cwd=here,
-                                      env={"MYPYPATH": str(FOLDER.parent), "PATH": "/usr/bin:/bin"},
-                                      capture_output=True,
-                                      text=True,
-                                      check=False)
-            self.assertEqual(len(done.stdout.splitlines()), faults, done.stdout + done.stderr)
+                 "flow = authalic.vtkDiscreteLieFlow()\nflow.SetTolerance(0.1)\n"
+                 "number: float = flow.GetTolerance()\nimage: numpy.ndarray = result.image\n"
+                 "authalic.Surface(numpy.eye(3), numpy.eye(3)).to_vtk()\n")
+        wrong = "flow.SetTolerance('a')\nauthalic.flatten(faces=2)\nwords: str = flow.GetTolerance()\n"
+        with tempfile.TemporaryDirectory() as here:
+            for text, faults in ((right, 0), (right + wrong, 3)):
+                pathlib.Path(here, "typed.py").write_text(text, encoding="utf-8")
+                command = [shutil.which("mypy"), "--python-executable", sys.executable, "--ignore-missing-imports",
+                           "--no-error-summary", "--cache-dir", f"{here}/cache", "typed.py"]
+                done = subprocess.run(command, cwd=here, capture_output=True, text=True, check=False,
+                                      env={"MYPYPATH": str(FOLDER.parent), "PATH": "/usr/bin:/bin"})
+                self.assertEqual(len(done.stdout.splitlines()), faults, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -63,3 +63,7 @@ __all__ = [
     "write_vertex_data",
 ]
 __all__ += _classes.__all__
+
+for _failure in (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged, NotConvergedWarning,
+                 SolverError, SurfaceError):
+    _failure.__module__ = __name__  # a trace shows authalic.SurfaceError

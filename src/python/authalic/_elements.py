@@ -1,6 +1,4 @@
 """Elements of equal area, and statistics of fields in them."""
-from __future__ import annotations
-
 import dataclasses
 from typing import Any, Mapping, Optional
 

@@ -1,6 +1,4 @@
 """Maps of surfaces: one function over every map filter, and the metrics of a map."""
-from __future__ import annotations
-
 import dataclasses
 import json
 from typing import Any, Optional
@@ -63,7 +61,7 @@ class SurfaceMap(Surface):
         return self.status == "converged"
 
     @classmethod
-    def from_filter(cls, algorithm: Any) -> SurfaceMap:
+    def from_filter(cls, algorithm: Any) -> "SurfaceMap":
         """Copies the output and the report of a map filter; its output mode must be the map."""
         if algorithm.GetOutputMode() != algorithm.MAP:
             raise InvalidArgument(f"{algorithm.GetClassName()} must give the map: SetOutputModeToMap() first.")
@@ -116,7 +114,7 @@ def flatten(points: Any,
                 "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
                 corners of a polygon, (k, 2)
-    measure     density relative to the native area, one number >= 0 per vertex (n) or per face (m), or the name of
+    measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
     initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the

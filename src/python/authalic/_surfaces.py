@@ -1,6 +1,4 @@
 """Surfaces as arrays: files, per-vertex data, topology, cutting to a disk."""
-from __future__ import annotations
-
 import dataclasses
 import json
 import os
@@ -32,7 +30,7 @@ class Surface:
     fields: dict[str, Any] = dataclasses.field(default_factory=dict)
 
     @classmethod
-    def from_vtk(cls, polydata: Any) -> Surface:
+    def from_vtk(cls, polydata: Any) -> "Surface":
         """Copies a vtkPolyData of triangles."""
         return cls(_arrays.points_of(polydata), _arrays.faces_of(polydata),
                    _arrays.arrays_of(polydata.GetPointData()), _arrays.arrays_of(polydata.GetCellData()),
@@ -47,7 +45,7 @@ class Surface:
         _arrays.add_fields(mesh, self.fields)
         return mesh
 
-    def with_point_arrays(self, arrays: Mapping[str, Any]) -> Surface:
+    def with_point_arrays(self, arrays: Mapping[str, Any]) -> "Surface":
         """The same surface with further arrays per vertex; those of the same name are replaced."""
         return dataclasses.replace(self, point_arrays={**self.point_arrays, **arrays})
 

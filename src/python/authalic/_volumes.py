@@ -1,6 +1,4 @@
 """Volumes as arrays with their affine; sampling them on surfaces; surfaces out of them."""
-from __future__ import annotations
-
 import dataclasses
 import os
 from typing import Any, NamedTuple, Optional
@@ -27,7 +25,7 @@ class Volume:
     fields: dict[str, Any] = dataclasses.field(default_factory=dict)
 
     @classmethod
-    def from_vtk(cls, image: Any) -> Volume:
+    def from_vtk(cls, image: Any) -> "Volume":
         """Copies the scalars of a vtkImageData."""
         size = image.GetDimensions()
         values = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(size, order="F").copy()
