@@ -52,7 +52,7 @@ public:
   vtkBooleanMacro(Details, bool);
   ///@}
 
-  /** Every metric of the last execution as JSON, by the names in reports of maps; empty before it and after an error. */
+  /** Every metric of the last execution as JSON, named as in reports of maps; empty before it and after an error. */
   vtkGetMacro(Report, std::string);
 
 protected:

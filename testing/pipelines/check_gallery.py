@@ -102,7 +102,8 @@ class FlattenHemisphere(Script):
 
 
     def test_on_fixtures_failures_are_one_sentence(self):
-        for options in (("--surface", "none.off"), ("--surface", ROOT / "data/bumpy_disk.off", "--region", "none.label")):
+        disk = ROOT / "data/bumpy_disk.off"
+        for options in (("--surface", "none.off"), ("--surface", disk, "--region", "none.label")):
             done = subprocess.run([sys.executable, str(GALLERY / "flatten_hemisphere.py"), "--out", str(self.out),
                                    *map(str, options)], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
