@@ -68,12 +68,21 @@ def setters(cls):
             yield name
 
 
+def results(cls):
+    """Commands that say what an execution gave: GetX that no SetX is for."""
+    methods = own_methods(cls)
+    for name in sorted(methods):
+        ours = name.startswith("Get") and not re.search(r"MinValue$|MaxValue$|^GetNumberOf", name)
+        if ours and "Set" + name[3:] not in methods:
+            yield name
+
+
 def check_properties(folder):
     for cls, proxy in present(folder):
         commands = {p.command for p in proxy.properties.values()}
         if cls.__name__.endswith("Writer"):
             commands.add("SetFileName")  # the parallel writer around it has the file name
-        for command in setters(cls):
+        for command in [*setters(cls), *([] if proxy.is_internal else results(cls))]:
             if command not in commands:
                 yield f"{proxy.name}: no property calls {command}"
         for item in proxy.properties.values():
