@@ -29,9 +29,10 @@ struct Joint {
 };
 
 [[noreturn]] void refuseSeam(const double place[3]) {
-  throw GeometryError("A surface in one piece is required, but it is spread over several processes and cannot be joined: "
-                      "at (" + std::to_string(place[0]) + ", " + std::to_string(place[1]) + ", " +
-                      std::to_string(place[2]) + ") mm two vertices of one piece meet another piece. Run on one process.");
+  throw GeometryError("A surface in one piece is required, but it is spread over several processes and cannot be "
+                      "joined: at (" + std::to_string(place[0]) + ", " + std::to_string(place[1]) + ", " +
+                      std::to_string(place[2]) + ") mm two vertices of one piece meet another piece. Run on one "
+                      "process.");
 }
 
 /// Of the vertices near a point, the one that points of earlier pieces have become; -1 = none.

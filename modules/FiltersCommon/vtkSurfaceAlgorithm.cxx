@@ -6,9 +6,10 @@
 #include "WholeInputs.h"
 
 int vtkSurfaceAlgorithm::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  return authalic::runOnWholeInputs(
-      this, inputs, outputs, this->Threads, this->ErrorKind,
-      [&](vtkInformationVector** whole, const authalic::Execution& execution) { this->Compute(whole, outputs, execution); });
+  return authalic::runOnWholeInputs(this, inputs, outputs, this->Threads, this->ErrorKind,
+                                    [&](vtkInformationVector** whole, const authalic::Execution& execution) {
+                                      this->Compute(whole, outputs, execution);
+                                    });
 }
 
 int vtkSurfaceAlgorithm::RequestInformation(vtkInformation* request, vtkInformationVector** inputs,

@@ -55,9 +55,10 @@ int vtkElementStatistics::FillInputPortInformation(int, vtkInformation* info) {
 
 int vtkElementStatistics::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   this->Results.reset();
-  return authalic::runOnWholeInputs(
-      this, inputs, outputs, this->Threads, this->ErrorKind,
-      [&](vtkInformationVector** whole, const authalic::Execution& execution) { this->Compute(whole, outputs, execution); });
+  return authalic::runOnWholeInputs(this, inputs, outputs, this->Threads, this->ErrorKind,
+                                    [&](vtkInformationVector** whole, const authalic::Execution& execution) {
+                                      this->Compute(whole, outputs, execution);
+                                    });
 }
 
 int vtkElementStatistics::RequestInformation(vtkInformation* request, vtkInformationVector** inputs,

@@ -1,11 +1,14 @@
 """Small runs of every filter, reader and writer, described once and run twice: by ParaView, and by VTK alone.
 
-A case is (name, class without vtk, inputs, properties). An input is (property of the proxy, case, output port); inputs
-stand in the order of the ports. Properties are the ivars of the class; a list goes to its AddX method, item by item.
+A case is (name, class without vtk, inputs, properties). An input is (property of the proxy, case, output port);
+inputs stand in the order of the ports. Properties are the ivars of the class; a list goes to its AddX method, item by item.
 FIXTURES/ and OUT/ at the start of a text stand for folders.
 """
 import numpy as np
 
+# Properties that say how a run ended.
+RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary",
+           "ErrorKind")
 DISK = [("Input", "disk", 0)]
 CASES = [
     ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
@@ -35,7 +38,8 @@ CASES = [
     ("tables", "ElementStatistics", [("Input", "grid", 0)],
      {"FieldArray": [("T1",)], "LabelArrayName": "Label", "Hemisphere": "L"}),
     ("written", "SurfaceFileWriter", [("Input", "cut", 0)], {"FileName": "OUT/cut.gii"}),
-    ("metrics", "VertexDataWriter", [("Input", "labelled", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": [("T1",)]}),
+    ("metrics", "VertexDataWriter", [("Input", "labelled", 0)],
+     {"FileName": "OUT/T1.func.gii", "ArrayName": [("T1",)]}),
     ("reread", "SurfaceFileReader", [], {"FileName": "OUT/cut.gii", "AssumeSpace": 1}),
     ("withdata", "VertexDataReader", [("Input", "reread", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": "Again"}),
 ]

@@ -14,7 +14,8 @@ SURFACE, VOLUME = "SurfaceFileReader", "VolumeFileReader"
 EXPECTED = {
     "a.gii": (SURFACE, "SurfaceFileWriter"), "lh.midthickness.surf.gii": (SURFACE, "SurfaceFileWriter"),
     "a.gii.gz": (SURFACE, None), "a.off": (SURFACE, "SurfaceFileWriter"), "lh.white": (SURFACE, "SurfaceFileWriter"),
-    "rh.pial": (SURFACE, "SurfaceFileWriter"), "lh.sphere.reg": (SURFACE, None), "a.inflated": (SURFACE, "SurfaceFileWriter"),
+    "rh.pial": (SURFACE, "SurfaceFileWriter"), "lh.sphere.reg": (SURFACE, None),
+    "a.inflated": (SURFACE, "SurfaceFileWriter"),
     "a.nii": (VOLUME, None), "a.nii.gz": (VOLUME, None), "orig.mgz": (VOLUME, None), "orig.mgh": (VOLUME, None),
     "lh.thickness": (None, "VertexDataWriter"), "rh.curv": (None, "VertexDataWriter"),
 }

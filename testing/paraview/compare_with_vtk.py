@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every proxy gives, to the last bit, what its class gives in VTK alone; and what they write is the same, byte by byte.
+"""Every proxy gives, bit by bit, what its class gives in VTK alone, and writes the same files.
 
     compare_with_vtk.py LAUNCHER ROOT
 
@@ -34,10 +34,8 @@ def run_case(kind, inputs, properties, made, folders):
 
 
 def information(filter_):
-    names = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary",
-             "ErrorKind")
     return {"information:" + name: np.array(getattr(filter_, "Get" + name)())
-            for name in names if hasattr(filter_, "Get" + name)}
+            for name in cases.RESULTS if hasattr(filter_, "Get" + name)}
 
 
 def differences(where, expected, actual):

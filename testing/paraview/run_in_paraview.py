@@ -12,7 +12,6 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cases  # noqa: E402
 
-RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary", "ErrorKind")
 
 
 def keywords(inputs, properties, made, folders):
@@ -30,7 +29,7 @@ def information(proxy):
     """Values of the properties that say how the run ended, as far as the proxy has them."""
     proxy.UpdatePropertyInformation()
     found = {}
-    for name in RESULTS:
+    for name in cases.RESULTS:
         item = proxy.SMProxy.GetProperty(name)
         if item:
             found["information:" + name] = np.array(item.GetElement(0))
