@@ -68,7 +68,8 @@ authalic_install_paraview() {
     echo "ParaView cannot be installed here: apt does not give ${missing[*]}." | tee "$note" >&2
     return 1
   fi
-  if ! bash "$authalic_root/pipelines/paraview/overlay.sh"; then
+  local overlay="$authalic_root/pipelines/paraview/overlay.sh"
+  if ! bash "$overlay" && ! { authalic_apt update -qq >&2 && bash "$overlay"; }; then
     echo "ParaView cannot be installed here: python3-paraview could not be downloaded and unpacked." | tee "$note" >&2
     return 1
   fi

@@ -1,10 +1,13 @@
 """Small runs of every filter, reader and writer, described once and run twice: by ParaView, and by VTK alone.
 
 A case is (name, class without vtk, inputs, properties). An input is (property of the proxy, case, output port);
-inputs stand in the order of the ports. Properties are the ivars of the class; a list goes to its AddX method, item by item.
-FIXTURES/ and OUT/ at the start of a text stand for folders.
+inputs stand in the order of the ports. Properties are the ivars of the class; a list goes to its AddX method, item by
+item. FIXTURES/ and OUT/ at the start of a text stand for folders.
 """
+import pathlib
+
 import numpy as np
+import proxies
 
 # Properties that say how a run ended.
 RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary",
@@ -43,6 +46,28 @@ CASES = [
     ("reread", "SurfaceFileReader", [], {"FileName": "OUT/cut.gii", "AssumeSpace": 1}),
     ("withdata", "VertexDataReader", [("Input", "reread", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": "Again"}),
 ]
+
+
+XMLS = pathlib.Path(__file__).resolve().parents[2] / "src/paraview/Authalic"
+
+
+def all_cases():
+    """The cases above; filters of surfaces that have none run with their defaults on a disk and on a closed surface,
+    where they may refuse, alike."""
+    covered = {kind for _, kind, _, _ in CASES}
+    found = list(CASES)
+    for (group, kind), proxy in sorted(proxies.load(XMLS).items()):
+        if group != "filters" or kind in covered:
+            continue
+        types = [e.get("value") for e in proxy.all("InputProperty/DataTypeDomain/DataType")]
+        if types[:1] == ["vtkPolyData"]:
+            found += [(f"{kind}-{surface}", kind, [("Input", surface, 0)], {}) for surface in ("disk", "cortex")]
+    return found
+
+
+def failed(information):
+    """Whether the run left no output."""
+    return int(information.get("information:ErrorKind", 0)) not in (0, 4)
 
 
 def placed(value, folders):

@@ -51,7 +51,7 @@ def differences(where, expected, actual):
 def compare(folder, fixtures):
     folders = {"FIXTURES": fixtures, "OUT": str(folder / "vtk")}
     made, compared = {}, 0
-    for name, kind, inputs, properties in cases.CASES:
+    for name, kind, inputs, properties in cases.all_cases():
         made[name] = run_case(kind, inputs, properties, made, folders)
         if kind.endswith("Writer"):
             written = pathlib.Path(cases.placed(properties["FileName"], folders))
@@ -59,8 +59,9 @@ def compare(folder, fixtures):
                 yield f"{name}: the files differ"
             continue
         for port in range(made[name].GetNumberOfOutputPorts()):
-            expected = cases.arrays_of(made[name].GetOutputDataObject(port), vtk_to_numpy)
-            expected.update(information(made[name]))
+            expected = information(made[name])
+            if not cases.failed(expected):
+                expected.update(cases.arrays_of(made[name].GetOutputDataObject(port), vtk_to_numpy))
             with np.load(folder / "paraview" / f"{name}.{port}.npz") as actual:
                 yield from differences(f"{name}.{port}", expected, dict(actual))
             compared += len(expected)

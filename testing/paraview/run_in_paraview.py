@@ -39,9 +39,9 @@ def information(proxy):
 def read_out(name, proxy, out):
     proxy.UpdatePipeline()
     for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
-        data = servermanager.Fetch(proxy, idx=port)
-        found = cases.arrays_of(data, vtk_to_numpy)
-        found.update(information(proxy))
+        found = information(proxy)
+        if not cases.failed(found):
+            found.update(cases.arrays_of(servermanager.Fetch(proxy, idx=port), vtk_to_numpy))
         np.savez(f"{out}/{name}.{port}.npz", **found)
 
 
@@ -49,7 +49,7 @@ def main():
     plugin, fixtures, out, *chosen = sys.argv[1:]
     simple.LoadPlugin(plugin, remote=False, ns=globals())
     folders, made = {"FIXTURES": fixtures, "OUT": out}, {}
-    for name, kind, inputs, properties in cases.CASES:
+    for name, kind, inputs, properties in cases.all_cases():
         if chosen and name not in chosen:
             continue
         arguments = keywords(inputs, properties, made, folders)
