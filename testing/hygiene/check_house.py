@@ -3,7 +3,7 @@
 
     check_house.py CHECK ROOT
 
-CHECK is one of function-length, file-length, dependencies, leftovers, layout, citations, fixtures.
+CHECK is one of function-length, file-length, line-length, dependencies, leftovers, layout, citations, fixtures.
 Exits 1 with one line per violation.
 """
 import hashlib
@@ -13,6 +13,7 @@ import sys
 
 MAX_FUNCTION_LINES = 80
 MAX_FILE_LINES = 600
+MAX_COLUMNS = 120
 
 TOP_LEVEL = {"CMakeLists.txt", "CMakePresets.json", "src", "modules", "pipelines", "testing", "data", "docs", "LICENSE",
              "build", "out"}
@@ -76,6 +77,14 @@ def check_file_length(root):
             yield f"{path.relative_to(root)}: {length} lines"
 
 
+def check_line_length(root):
+    for path in sources(root, endings=(".h", ".cxx", ".py")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            is_table_row = re.match(r"\s*(\*|//[/!])\s*\|", line)  # Markdown has no way to break one
+            if len(line) > MAX_COLUMNS and not is_table_row:
+                yield f"{path.relative_to(root)}:{number}: {len(line)} columns"
+
+
 def architecture(root):
     """The tables of docs/architecture.md: {module: modules it may use} and the order of Core's folders."""
     text = (root / "docs/architecture.md").read_text()
@@ -125,7 +134,8 @@ def check_leftovers(root):
 
 def check_layout(root):
     for path in sorted(root.iterdir()):
-        if not (path.name.startswith(".") or path.name in TOP_LEVEL or path.suffix == ".md" or path.name == "CITATION.cff"):
+        agreed = path.name in TOP_LEVEL or path.suffix == ".md" or path.name == "CITATION.cff"
+        if not (agreed or path.name.startswith(".")):
             yield f"{path.name}: outside the agreed layout"
 
 
