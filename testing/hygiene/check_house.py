@@ -3,8 +3,8 @@
 
     check_house.py CHECK ROOT
 
-CHECK is one of function-length, file-length, line-length, dependencies, leftovers, layout, citations, fixtures.
-Exits 1 with one line per violation.
+CHECK is one of function-length, file-length, line-length, dependencies, private-headers, leftovers, layout, citations,
+fixtures. Exits 1 with one line per violation.
 """
 import hashlib
 import pathlib
@@ -92,6 +92,29 @@ def architecture(root):
     modules, folders = [table for table in tables if table]
     return ({name: set(re.findall(r"\w+", uses)) for name, uses in modules if name != "module"},
             [name for name, _ in folders if name != "folder"])
+
+
+def private_headers(root):
+    """{header as others would include it: the folder that it belongs to}, from "Private to FOLDER/." near its top."""
+    found = {}
+    for path in sources(root, folders=("modules",), endings=(".h",)):
+        if re.search(r"Private to \w+/", path.read_text()[:600]):
+            inside = path.relative_to(root / "modules")
+            found[str(inside if inside.parts[0] in ("Core", "Formats", "Reports") else inside.name)] = path.parent
+    return found
+
+
+def check_private_headers(root):
+    private = private_headers(root)
+    for path in sources(root, folders=("modules", "src")):
+        text = path.read_text()
+        for header, folder in private.items():
+            if f'#include "{header}"' not in text:
+                continue
+            if path.parent != folder:
+                yield f"{path.relative_to(root)}: {header} is private to {folder.relative_to(root)}"
+            elif path.suffix == ".h" and "Private to " not in text[:600]:
+                yield f"{path.relative_to(root)}: is installed, but {header} is not"
 
 
 def check_dependencies(root):

@@ -1,5 +1,6 @@
 /// @file
 /// Weighted means with different weights each way: the unsymmetric system and its nearly symmetric scaling.
+/// Private to initial/.
 #pragma once
 
 #include "Core/geometry/Laplacian.h"
