@@ -1,5 +1,5 @@
 /// @file
-/// The arrays that every map carries (docs/arrays.md).
+/// The arrays that every map carries (docs/arrays.md). Private to FiltersParameterization/.
 #pragma once
 
 #include <string>
