@@ -12,7 +12,7 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
-constexpr double kFaceGoal = 0.7;       // of the tolerance: vertex steps disturb the faces
+constexpr double kFaceGoal = 0.55;      // of the tolerance: vertex steps disturb the faces
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr int kSlowSteps = 8;
 
@@ -28,11 +28,13 @@ class AreaSolver {
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
     double goal = kFaceGoal * options_.tolerance;
-    for (int round = 0; round < kRounds && !ended(); ++round, goal /= 2) {
+    bool reached = false;
+    for (int round = 0; round < kRounds && !ended(); ++round) {
       const bool moved = faceSteps(goal, image);
       Coordinates exact = image;
-      const bool reached = vertexSteps(exact);
-      if (reached) keepIfBetter(image = std::move(exact));
+      reached = vertexSteps(exact);
+      goal *= reached ? kFaceGoal * options_.tolerance / faces_.residual(exact) : 0.5;
+      if (reached) keepIfBetter(image = exact);
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
@@ -74,6 +76,7 @@ class AreaSolver {
   // Returns whether the tolerance was reached.
   bool vertexSteps(Coordinates& image) {
     const double begun = now();
+    vertices_.restart(image);
     double residual = vertices_.residual(image);
     for (int k = 0; k < kMostVertexSteps && residual > options_.vertexTolerance && !ended(); ++k) {
       const double step = vertices_.advance(image);

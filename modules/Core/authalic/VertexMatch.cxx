@@ -30,7 +30,16 @@ VertexMatch::VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& tar
   values_.resize(entries);
   jacobian_.resize(2 * stars_.size());
   solver_.analyze(assembly_.matrix());
-  mobility_ = (targets.array() > 0).select(targets.array().max(1e-300).inverse(), 0.0);
+}
+
+void VertexMatch::restart(const Coordinates& image) {
+  const AreaFunctional::Gradients gradients = areas_.gradients(image, areas_.frames(image));
+  const Eigen::VectorXd a = areas_.areas(image);
+  mobility_ = Eigen::VectorXd::Zero(areas_.vertexCount());
+  for (Eigen::Index f = 0; f < gradients.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) mobility_[areas_.faces()(f, k)] += gradients.row(f).segment<2>(2 * k).squaredNorm() / a[f];
+  }
+  mobility_ = (mobility_.array() > 0).select(mobility_.array().max(1e-300).inverse(), 0.0);
 }
 
 // The star of w holds the corners of the faces around it, w included, in increasing order.

@@ -25,6 +25,9 @@ class VertexMatch {
   /// @return the part of δ taken, in (0, 1]
   double advance(Coordinates& image);
 
+  /// Takes W from an image and forgets which corners were made stiffer; to be called before the first step.
+  void restart(const Coordinates& image);
+
   /// max |ln r_v| of an image; +infinity when a face is folded.
   [[nodiscard]] double residual(const Coordinates& image) const;
 
