@@ -12,9 +12,11 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
-constexpr double kFaceGoal = 0.55;      // of the tolerance: vertex steps disturb the faces
+constexpr double kEnough = 0.4;        // of the tolerance: vertex steps disturb the faces
+constexpr double kPlenty = 0.2;         // of the tolerance: until then face steps go on while they are worth their time
+constexpr double kWorthwhile = 0.92;    // factor of the residual in one face step
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
-constexpr int kSlowSteps = 8;
+constexpr std::size_t kSlowSteps = 8;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -27,13 +29,13 @@ class AreaSolver {
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
-    double goal = kFaceGoal * options_.tolerance;
+    double goal = options_.tolerance;
     bool reached = false;
     for (int round = 0; round < kRounds && !ended(); ++round) {
       const bool moved = faceSteps(goal, image);
       Coordinates exact = image;
       reached = vertexSteps(exact);
-      goal *= reached ? kFaceGoal * options_.tolerance / faces_.residual(exact) : 0.5;
+      goal *= reached ? kEnough * options_.tolerance / faces_.residual(exact) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (!moved && !reached) result_.status = Status::Stalled;
     }
@@ -55,7 +57,7 @@ class AreaSolver {
     execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
   }
 
-  // Until the goal, a stall, or no progress worth its time. Returns whether any step was taken.
+  // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether any step was taken.
   bool faceSteps(double goal, Coordinates& image) {
     const double begun = now();
     bool moved = false;
@@ -63,8 +65,12 @@ class AreaSolver {
     for (faces_.restart(); !ended() && !faces_.stalled();) {
       residuals.push_back(faces_.residual(image));
       const std::size_t count = residuals.size();
-      if (residuals.back() <= goal) break;
-      if (count > kSlowSteps && residuals.back() > kSlow * residuals[count - 1 - kSlowSteps]) break;
+      if (residuals.back() <= kPlenty * goal) break;
+      const auto slower = [&](std::size_t steps, double factor) {
+        return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
+      };
+      if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal) break;
+      if (slower(kSlowSteps, kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");

@@ -15,7 +15,7 @@ namespace authalic {
 
 struct AuthalicMapOptions {
   PlanarDomain domain;             ///< unit disk; for maps of a disk only
-  double tolerance = 4e-3;         ///< of the face residual (Σ m_t (r_t − 1)²)^½, > 0
+  double tolerance = 1e-2;         ///< of the face residual (Σ m_t (r_t − 1)²)^½, > 0; its square is D_area − 2
   double vertexTolerance = 1e-10;  ///< of max |ln r_v| over vertex stars, > 0
   int maxIterations = 150;         ///< face and vertex steps together, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
