@@ -5,7 +5,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -62,7 +62,7 @@ void imageToTextureCoordinates(vtkPolyData* map) {
   Points3 image = toPoints(map);
   const Eigen::RowVector3d lower = image.colwise().minCoeff(), size = image.colwise().maxCoeff() - lower;
   if (size.maxCoeff() > 0) image = (image.rowwise() - lower) / size.maxCoeff();
-  vtkNew<vtkDoubleArray> coordinates;
+  vtkNew<vtkFloatArray> coordinates;  // VTK's glTF exporter leaves out any other type
   coordinates->SetName("TCoords");
   coordinates->SetNumberOfComponents(size[2] > 0 ? 3 : 2);
   coordinates->SetNumberOfTuples(map->GetNumberOfPoints());

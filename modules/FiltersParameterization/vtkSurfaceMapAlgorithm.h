@@ -14,7 +14,7 @@
  * | association | name | components, type | unit | meaning |
  * |---|---|---|---|---|
  * | point | OriginalPoints (as MAP) | 3 double | mm | the surface |
- * | point | TCoords (as TEXTURE_COORDINATES) | 2 double, 3 on the sphere | | the image in [0, 1] |
+ * | point | TCoords (as TEXTURE_COORDINATES) | 2 float, 3 on the sphere | | the image in [0, 1] |
  * | point | VertexAreaDistortion | 1 double | log2 | log2 of image share / target share of one-third stars |
  * | cell | AreaDistortion | 1 double | log2 | log2 of image share / target share |
  * | cell | AngleDistortion | 1 double | | σ1/σ2 + σ2/σ1; 2 = angles preserved |
