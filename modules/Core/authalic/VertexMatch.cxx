@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "Core/geometry/Areas.h"
 
@@ -16,6 +17,16 @@ constexpr double kStiffer = 0.1;
 constexpr int kAttempts = 12;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// The frames with a second direction for vertices that slide along a curve in the plane. The only face of a boundary
+// vertex may have no derivative along it; such a vertex must not count as infinitely mobile.
+AreaFunctional::Frames fullFrames(const AreaFunctional& areas, const Coordinates& image) {
+  AreaFunctional::Frames frames = areas.frames(image);
+  for (int v = 0; v < areas.vertexCount() && image.cols() == 2; ++v) {
+    if (areas.freedom(v) == 1) frames.row(v).tail<2>() << -frames(v, 1), frames(v, 0);
+  }
+  return frames;
+}
 
 }  // namespace
 
@@ -33,7 +44,7 @@ VertexMatch::VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& tar
 }
 
 void VertexMatch::restart(const Coordinates& image) {
-  const AreaFunctional::Gradients gradients = areas_.gradients(image, areas_.frames(image));
+  const AreaFunctional::Gradients gradients = areas_.gradients(image, fullFrames(areas_, image));
   const Eigen::VectorXd a = areas_.areas(image);
   mobility_ = Eigen::VectorXd::Zero(areas_.vertexCount());
   for (Eigen::Index f = 0; f < gradients.rows(); ++f) {
@@ -151,10 +162,15 @@ double VertexMatch::advance(Coordinates& image) {
   double part = 0;
   for (int attempt = 0; attempt < kAttempts && part < 1; ++attempt) {
     const Coordinates displacement = step(wrong);
-    const double now = std::min(1.0, kMarginToFlip * flipFree(image, displacement));
-    if (now > part) best = areas_.moved(image, displacement, now), part = now;
+    double now = std::min(1.0, kMarginToFlip * flipFree(image, displacement));
+    for (; now > part; now *= 0.5) {
+      Coordinates next = areas_.moved(image, displacement, now);
+      if (!(areas_.areas(next).minCoeff() > 0)) continue;  // folded by the way back to the domain
+      best = std::move(next);
+      part = now;
+    }
   }
-  image = std::move(best);
+  if (part > 0) image = std::move(best);
   return part;
 }
 
