@@ -29,6 +29,7 @@ void setHemisphere(vtkPolyData* output, const authalic::HemisphereSurface& side,
   addField(output, "MedialWallShare", side.medialWallShare);
   addField(output, "EulerCharacteristic", side.eulerCharacteristic);
   addField(output, "ExtractedFaces", side.extractedFaces);
+  addField(output, "PrunedSpikes", side.prunedSpikes);
   addField(output, "CutVoxels", static_cast<int>(side.cutVoxels));
   addField(output, "SealedVoxels", static_cast<int>(side.sealedVoxels));
 }

@@ -20,7 +20,7 @@
  * | field | SurfaceArea, EnclosedVolume, BrainVolume | 1 double | mm², mm³, mm³ | |
  * | field | MedialWallShare | 1 double | | of the area |
  * | field | GreyWhiteThreshold, GreyMean, WhiteMean | 1 double | of the T1 | as used |
- * | field | EulerCharacteristic, ExtractedFaces, CutVoxels, SealedVoxels | 1 int | | |
+ * | field | EulerCharacteristic, ExtractedFaces, PrunedSpikes, CutVoxels, SealedVoxels | 1 int | | |
  *
  * Doubts about the result (an implausible area, say) are warnings in words.
  *

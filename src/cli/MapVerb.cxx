@@ -12,6 +12,7 @@ namespace {
 std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   std::vector<std::unique_ptr<MapFamily>> families;
   families.push_back(barycentricFamily());
+  families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
   return families;
 }
@@ -45,10 +46,10 @@ VerbHelp mapHelp(const MapOptions& o) {
       "the input, the point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target "
       "share), AngleDistortion and Flipped, and every metric in its field data.";
   help.examples = {
-      "authalic map lie-flow lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
+      "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
-      "authalic map lie-flow lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
+      "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
       "  share of every vertex in proportion to its native area times its number in the file"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",

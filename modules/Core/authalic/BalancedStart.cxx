@@ -13,7 +13,6 @@ namespace authalic {
 namespace {
 
 constexpr int kRounds = 15;
-constexpr double kGoodEnough = 0.035;  // mean |ln r| of the stars: the least-squares steps do the rest faster
 constexpr double kCollapsed = -4.6;    // ln of 1e-2
 constexpr double kLargestLog = 30;     // of a ratio in one round, so that collapsed faces keep finite weights
 
@@ -91,8 +90,8 @@ std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& coll
 }  // namespace
 
 Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
-                      const Execution& execution) {
-  return balance(disk, image, disk.topology().onBoundary(), target, backend, kGoodEnough, execution);
+                      double goodEnough, const Execution& execution) {
+  return balance(disk, image, disk.topology().onBoundary(), target, backend, goodEnough, execution);
 }
 
 Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,

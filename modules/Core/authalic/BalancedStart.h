@@ -25,9 +25,11 @@ namespace authalic {
 /// Weights stay positive and symmetric, so no face flips on a convex domain, up to rounding. The round with the
 /// smallest area distortion Σ m_t (r_t + 1/r_t) among those without a fold is returned (or `image`, where none
 /// is better).
+/// @param goodEnough  mean |ln r| of the stars at which the rounds end
 /// Complexity: one symbolic and at most 15 numeric sparse factorisations.
 [[nodiscard]] Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
-                                    SolverBackend backend, const Execution& execution = {});
+                                    SolverBackend backend, double goodEnough,
+                                    const Execution& execution = {});
 
 /// The same within small patches around the faces that have collapsed (less than 1e-2 of their share), the rest held.
 [[nodiscard]] Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,

@@ -14,6 +14,7 @@ namespace authalic {
 namespace {
 
 constexpr int kMatchPasses = 3;
+constexpr double kBalanced = 0.035;  // mean |ln r| of the stars: the least-squares steps do the rest faster
 
 void require(bool condition, const std::string& required, double found) {
   if (condition) return;
@@ -64,7 +65,7 @@ Start prepareStart(const DiskMesh& disk, const BoundaryPlacement& placement, con
     start.image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
   }
   start.balanced = options.finish == LieFlowFinish::Match && farFromTarget(disk, target, start.image);
-  if (start.balanced) start.image = balancedStart(disk, start.image, target, options.solver, execution);
+  if (start.balanced) start.image = balancedStart(disk, start.image, target, options.solver, kBalanced, execution);
   UnfoldResult unfolded = unfold(disk.topology(), start.image, execution);
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     throw GeometryError("An initial map that can be unfolded is required, but " +

@@ -15,6 +15,7 @@
 #include "Core/imaging/MedialWall.h"
 #include "Core/imaging/VolumeFilters.h"
 #include "Core/mesh/SurfaceTopology.h"
+#include "Core/topology/PruneSpikes.h"
 
 namespace authalic {
 
@@ -147,6 +148,9 @@ ScalarVolume surfaceField(const Hemisphere& h, const MaskVolume& grown, const Ex
 // Smoothing after decimation, which evens out the triangles.
 constexpr int kRounds = 3;
 
+// Share of the area (1 cm² of 1000) up to which what hangs on three edges is no anatomy.
+constexpr double kLargestSpike = 1e-3;
+
 HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const CorticalSurfaceOptions& options,
                               StopWatch& watch, const Execution& execution) {
   const std::string name = side == kLeft ? "left " : "right ";
@@ -167,11 +171,13 @@ HemisphereSurface makeSurface(const WhiteMatter& wm, std::uint8_t side, const Co
   SmoothedSurface smoothed = smoothSurface(mesh, options.smoothing, execution.part(0.45, 0.6));
   out.turnedFaces = smoothed.turnedFaces;
   watch.lap(name + "smoothing");
-  out.mesh = std::move(smoothed.mesh);
-  if (options.targetFaces > 0 && out.mesh.faceCount() > options.targetFaces) {
-    out.mesh = decimate(out.mesh, options.targetFaces, execution.part(0.6, 0.95));
-    out.mesh = smoothSurface(out.mesh, {kRounds, options.smoothing.passBand, true}, execution).mesh;
-  }
+  const bool decimated = options.targetFaces > 0 && smoothed.mesh.faceCount() > options.targetFaces;
+  if (decimated) smoothed.mesh = decimate(smoothed.mesh, options.targetFaces, execution.part(0.6, 0.95));
+  PrunedSurface pruned = pruneSpikes(smoothed.mesh, kLargestSpike, execution);
+  out.prunedSpikes = pruned.spikes;
+  out.prunedFaces = pruned.removedFaces;
+  out.mesh = std::move(pruned.mesh);
+  if (decimated) out.mesh = smoothSurface(out.mesh, {kRounds, options.smoothing.passBand, true}, execution).mesh;
   watch.lap(name + "decimation");
   out.medialWall = findMedialWall(
       out.mesh, h.wall,

@@ -43,6 +43,8 @@ struct HemisphereSurface {
   std::size_t sealedVoxels = 0;  ///< added to seal tunnels
   int extractedFaces = 0;        ///< faces before decimation
   int turnedFaces = 0;           ///< faces turned by more than 90° by smoothing
+  int prunedSpikes = 0;          ///< spikes cut off (PruneSpikes.h)
+  int prunedFaces = 0;           ///< faces that went with them; each spike left one face
 };
 
 /// What extractCorticalSurfaces found.
@@ -62,7 +64,8 @@ struct CorticalSurfaceResult {
 /// cut at their thinnest place, small tunnels sealed. Surface: the zero of a field that is the normalised
 /// contrast (T1 − θ)/(white − grey) where its sign agrees with the grown set, and a blurred indicator of the
 /// set where it does not, extracted by Isosurface.h: sub-voxel accurate and of exactly the set's topology.
-/// Then volume-preserving smoothing (SurfaceSmoothing.h) and topology-preserving decimation (Decimation.h).
+/// Then volume-preserving smoothing (SurfaceSmoothing.h), topology-preserving decimation (Decimation.h) and pruning of
+/// the spikes that no map can make good triangles of (PruneSpikes.h).
 ///
 /// Guarantees: each surface is closed, manifold, connected, χ = 2, outward; deterministic, same bits at any
 /// thread count. The medial wall is one region, and so is its complement. Not guaranteed: absence of

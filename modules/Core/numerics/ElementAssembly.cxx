@@ -15,23 +15,29 @@ std::vector<int> countingSort(const std::vector<int>& order, int keyCount, const
   return sorted;
 }
 
+// {column, row} of the lower triangle for the upper triangle of one element.
+void appendPairs(const int* unknowns, Eigen::Index count, std::vector<std::array<int, 2>>& pairs) {
+  for (Eigen::Index a = 0; a < count; ++a) {
+    for (Eigen::Index b = a; b < count; ++b) {
+      const int i = unknowns[a], j = unknowns[b];
+      pairs.push_back(i < 0 || j < 0 ? std::array<int, 2>{-1, -1} : std::array<int, 2>{std::min(i, j), std::max(i, j)});
+    }
+  }
+}
+
 }  // namespace
 
-ElementAssembly::ElementAssembly(int unknownCount, const Unknowns& elements)
-    : entries_(static_cast<int>(elements.cols() * (elements.cols() + 1) / 2)) {
-  std::vector<std::array<int, 2>> pairs;  // {column, row}, lower triangle
-  pairs.reserve(static_cast<std::size_t>(elements.rows() * entries_));
-  for (Eigen::Index e = 0; e < elements.rows(); ++e) {
-    for (Eigen::Index a = 0; a < elements.cols(); ++a) {
-      for (Eigen::Index b = a; b < elements.cols(); ++b) {
-        const int i = elements(e, a), j = elements(e, b);
-        if (i < 0 || j < 0) {
-          pairs.push_back({-1, -1});
-        } else {
-          pairs.push_back({std::min(i, j), std::max(i, j)});
-        }
-      }
-    }
+ElementAssembly::ElementAssembly(int unknownCount, const Unknowns& elements) {
+  std::vector<std::array<int, 2>> pairs;
+  pairs.reserve(static_cast<std::size_t>(elements.rows() * elements.cols() * (elements.cols() + 1) / 2));
+  for (Eigen::Index e = 0; e < elements.rows(); ++e) appendPairs(elements.row(e).data(), elements.cols(), pairs);
+  sortPairs(unknownCount, pairs);
+}
+
+ElementAssembly::ElementAssembly(int unknownCount, const std::vector<int>& starts, const std::vector<int>& unknowns) {
+  std::vector<std::array<int, 2>> pairs;
+  for (std::size_t e = 0; e + 1 < starts.size(); ++e) {
+    appendPairs(unknowns.data() + starts[e], starts[e + 1] - starts[e], pairs);
   }
   sortPairs(unknownCount, pairs);
 }

@@ -21,10 +21,12 @@ class ElementAssembly {
 
   ElementAssembly(int unknownCount, const Unknowns& elements);
 
-  /// Entries of the upper triangle of one element: k (k + 1) / 2.
-  [[nodiscard]] int entriesPerElement() const noexcept { return entries_; }
+  /// Elements of different sizes: the unknowns of element e are unknowns[starts[e]] … unknowns[starts[e + 1] − 1].
+  ElementAssembly(int unknownCount, const std::vector<int>& starts, const std::vector<int>& unknowns);
 
-  /// Sum the elements. @param values  m × entriesPerElement(), row-major; @return lower triangle, O(m k²)
+  /// Sum the elements.
+  /// @param values  the upper triangles of all elements, one after the other
+  /// @return lower triangle, O(m k²)
   const SparseMatrix& assemble(const std::vector<double>& values);
 
   [[nodiscard]] const SparseMatrix& matrix() const noexcept { return matrix_; }
@@ -32,7 +34,6 @@ class ElementAssembly {
  private:
   void sortPairs(int unknownCount, const std::vector<std::array<int, 2>>& pairs);
 
-  int entries_;
   SparseMatrix matrix_;
   std::vector<int> slots_;  // place in matrix_.valuePtr() of each entry, −1 = left out
 };

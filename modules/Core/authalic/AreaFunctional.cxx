@@ -1,0 +1,27 @@
+#include "Core/authalic/AreaFunctional.h"
+
+#include <utility>
+
+namespace authalic {
+
+AreaFunctional::AreaFunctional(const Faces& faces, std::vector<char> freedom)
+    : faces_(faces), freedom_(std::move(freedom)), first_(freedom_.size(), -1) {
+  for (std::size_t v = 0; v < freedom_.size(); ++v) {
+    if (freedom_[v] == 0) continue;
+    first_[v] = unknownCount_;
+    unknownCount_ += freedom_[v];
+  }
+}
+
+Coordinates AreaFunctional::displacement(const Frames& frames, const Eigen::VectorXd& step) const {
+  const Eigen::Index dimension = frames.cols() / 2;
+  Coordinates result = Coordinates::Zero(frames.rows(), dimension);
+  for (int v = 0; v < vertexCount(); ++v) {
+    for (int j = 0; j < freedom(v); ++j) {
+      result.row(v) += step[unknown(v, j)] * frames.row(v).segment(j * dimension, dimension);
+    }
+  }
+  return result;
+}
+
+}  // namespace authalic

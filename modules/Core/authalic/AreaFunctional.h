@@ -1,0 +1,62 @@
+/// @file
+/// The areas of the faces of an image as functions of what its vertices may do. One class per kind of domain.
+#pragma once
+
+#include <vector>
+
+#include "Core/base/Arrays.h"
+
+namespace authalic {
+
+/// n×d points of an image: d = 2 in the plane, 3 on the sphere.
+using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Areas a_t(x) of the faces of an image x whose vertices may move in 0, 1 or 2 directions each.
+///
+/// A vertex with freedom f has the unknowns unknown(v, 0) … unknown(v, f − 1): steps along f orthonormal directions, its
+/// frame, which depends on the image (tangents of the circle or the sphere). A *displacement* is n×d, the frames applied to
+/// a step. Moving by a displacement ends on the domain again (retraction), so it is exact to first order only.
+class AreaFunctional {
+ public:
+  /// Row v holds the f directions of vertex v, one after the other: n×(2 d), zeros where there is none.
+  using Frames = Coordinates;
+  /// Derivatives of the areas by steps: entry (t, 2 k + j) belongs to direction j of corner k.
+  using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+  virtual ~AreaFunctional() = default;
+
+  [[nodiscard]] const Faces& faces() const noexcept { return faces_; }
+  [[nodiscard]] int vertexCount() const noexcept { return static_cast<int>(first_.size()); }
+  [[nodiscard]] int unknownCount() const noexcept { return unknownCount_; }
+  [[nodiscard]] int freedom(int vertex) const { return freedom_[static_cast<std::size_t>(vertex)]; }
+  /// Number of direction j of a vertex, −1 when the vertex has none such.
+  [[nodiscard]] int unknown(int vertex, int j) const {
+    return j < freedom(vertex) ? first_[static_cast<std::size_t>(vertex)] + j : -1;
+  }
+
+  /// Signed areas of all faces: m values, > 0 where a face is not folded. O(m)
+  [[nodiscard]] virtual Eigen::VectorXd areas(const Coordinates& image) const = 0;
+  [[nodiscard]] virtual Frames frames(const Coordinates& image) const = 0;
+  /// ∂a_t along the frames. O(m)
+  [[nodiscard]] virtual Gradients gradients(const Coordinates& image, const Frames& frames) const = 0;
+  /// image + t · displacement, back on the domain.
+  [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const = 0;
+  /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
+  /// 0 for a folded face. Exact for straight motion; see moved().
+  [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;
+
+  /// The frames applied to a step of unknownCount() numbers: n×d.
+  [[nodiscard]] Coordinates displacement(const Frames& frames, const Eigen::VectorXd& step) const;
+
+ protected:
+  /// @param freedom  n values 0, 1 or 2
+  AreaFunctional(const Faces& faces, std::vector<char> freedom);
+
+ private:
+  const Faces& faces_;
+  std::vector<char> freedom_;
+  std::vector<int> first_;
+  int unknownCount_ = 0;
+};
+
+}  // namespace authalic

@@ -1,0 +1,120 @@
+#include "Core/authalic/AreaSolve.h"
+
+#include <chrono>
+#include <utility>
+
+#include "Core/authalic/FaceMatch.h"
+#include "Core/authalic/VertexMatch.h"
+
+namespace authalic {
+namespace {
+
+constexpr int kRounds = 5;
+constexpr int kMostVertexSteps = 12;    // of one round
+constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
+constexpr double kEnough = 0.4;        // of the tolerance: vertex steps disturb the faces
+constexpr double kPlenty = 0.2;         // of the tolerance: until then face steps go on while they are worth their time
+constexpr double kWorthwhile = 0.92;    // factor of the residual in one face step
+constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
+constexpr std::size_t kSlowSteps = 8;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+class AreaSolver {
+ public:
+  AreaSolver(const AreaFunctional& areas, const TargetMeasure& target, const AuthalicMapOptions& options,
+             const Execution& execution)
+      : options_(options), execution_(execution), faces_(areas, target.faces(), options.solver),
+        vertices_(areas, target.vertices(), options.solver) {}
+
+  AreaSolveResult run(Coordinates start) {
+    Coordinates image = std::move(start);
+    double goal = options_.tolerance;
+    bool reached = false;
+    for (int round = 0; round < kRounds && !ended(); ++round) {
+      const bool moved = faceSteps(goal, image);
+      Coordinates exact = image;
+      reached = vertexSteps(exact);
+      goal *= reached ? kEnough * options_.tolerance / faces_.residual(exact) : 0.5;
+      if (reached) keepIfBetter(image = exact);
+      if (!moved && !reached) result_.status = Status::Stalled;
+    }
+    if (result_.image.size() == 0) result_.image = std::move(image);
+    result_.faceResidual = faces_.residual(result_.image);
+    result_.vertexResidual = vertices_.residual(result_.image);
+    if (result_.status == Status::NotRun) result_.status = Status::NotConverged;
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool ended() {
+    if (execution_.cancelled()) result_.status = Status::Cancelled;
+    return result_.status != Status::NotRun || static_cast<int>(result_.history.size()) >= options_.maxIterations;
+  }
+
+  void tell(const AuthalicIteration& iteration, const char* stage) {
+    result_.history.push_back(iteration);
+    execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
+  }
+
+  // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether any step was taken.
+  bool faceSteps(double goal, Coordinates& image) {
+    const double begun = now();
+    bool moved = false;
+    std::vector<double> residuals;
+    for (faces_.restart(); !ended() && !faces_.stalled();) {
+      residuals.push_back(faces_.residual(image));
+      const std::size_t count = residuals.size();
+      if (residuals.back() <= kPlenty * goal) break;
+      const auto slower = [&](std::size_t steps, double factor) {
+        return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
+      };
+      if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal) break;
+      if (slower(kSlowSteps, kSlow)) break;
+      const double step = faces_.advance(image);
+      moved = moved || step > 0;
+      tell({residuals.back(), step, false}, "Matching faces");
+    }
+    result_.faceSeconds += now() - begun;
+    return moved;
+  }
+
+  // Returns whether the tolerance was reached.
+  bool vertexSteps(Coordinates& image) {
+    const double begun = now();
+    vertices_.restart(image);
+    double residual = vertices_.residual(image);
+    for (int k = 0; k < kMostVertexSteps && residual > options_.vertexTolerance && !ended(); ++k) {
+      const double step = vertices_.advance(image);
+      tell({residual, step, true}, "Matching vertices");
+      if (step < kPinned) break;
+      residual = vertices_.residual(image);
+    }
+    result_.vertexSeconds += now() - begun;
+    return residual <= options_.vertexTolerance;
+  }
+
+  // Of the images with exact stars, the one whose faces are nearest to their targets.
+  void keepIfBetter(const Coordinates& exact) {
+    const double residual = faces_.residual(exact);
+    if (result_.image.size() > 0 && residual >= result_.faceResidual) return;
+    result_.image = exact;
+    result_.faceResidual = residual;
+    if (residual <= options_.tolerance) result_.status = Status::Converged;
+  }
+
+  const AuthalicMapOptions& options_;
+  const Execution& execution_;
+  FaceMatch faces_;
+  VertexMatch vertices_;
+  AreaSolveResult result_;
+};
+
+}  // namespace
+
+AreaSolveResult solveAreas(const AreaFunctional& areas, const TargetMeasure& target, Coordinates start,
+                           const AuthalicMapOptions& options, const Execution& execution) {
+  return AreaSolver(areas, target, options, execution).run(std::move(start));
+}
+
+}  // namespace authalic

@@ -1,0 +1,138 @@
+#include "Core/authalic/FaceMatch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace authalic {
+namespace {
+
+constexpr double kSmallestRatio = 0.02;   // of face areas, in the weights
+constexpr double kSmallestDamping = 3e-4;  // less buys the last errors with slides along curves of equal area
+constexpr double kPinned = 0.25;          // of the step: faces that collapse before twice this are slowed by themselves
+constexpr double kMarginToFlip = 0.9;
+constexpr double kCollapsesEarly = 1.5;  // of a step: faces that collapse before it get stiffer
+constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
+
+ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
+  const Faces& faces = areas.faces();
+  ElementAssembly::Unknowns elements(faces.rows(), 6);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    for (int k = 0; k < 6; ++k) elements(f, k) = areas.unknown(faces(f, k / 2), k % 2);
+  }
+  return elements;
+}
+
+double flipFree(const AreaFunctional& areas, const Coordinates& image, const Coordinates& displacement) {
+  double first = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < static_cast<int>(areas.faces().rows()); ++f) {
+    first = std::min(first, areas.firstFlip(image, displacement, f));
+  }
+  return first;
+}
+
+}  // namespace
+
+FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend)
+    : areas_(areas), targets_(targets), assembly_(areas.unknownCount(), elementUnknowns(areas)),
+      solver_(backend, PatternUse::Reused), values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
+  solver_.analyze(assembly_.matrix());
+  stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
+}
+
+double FaceMatch::residual(const Coordinates& image) const {
+  const Eigen::VectorXd a = areas_.areas(image);
+  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
+  return std::sqrt(((a / a.sum() - targets_).array().square() / targets_.array()).sum());
+}
+
+double FaceMatch::energy(const Coordinates& image) const {
+  const Eigen::VectorXd a = areas_.areas(image);
+  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
+  return ((a / a.sum() - targets_).array().square() * weights_.array()).sum();
+}
+
+void FaceMatch::linearise(const Coordinates& image) {
+  frames_ = areas_.frames(image);
+  gradients_ = areas_.gradients(image, frames_);
+  const Eigen::VectorXd a = areas_.areas(image);
+  const double total = a.sum();
+  weights_ = (a.array() / total).max(kSmallestRatio * targets_.array()).min(targets_.array()).inverse() / total;
+  right_ = Eigen::VectorXd::Zero(areas_.unknownCount());
+  const Faces& faces = areas_.faces();
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const double pull = weights_[f] * (targets_[f] * total - a[f]);
+    for (int k = 0; k < 6; ++k) {
+      const int u = areas_.unknown(faces(f, k / 2), k % 2);
+      if (u >= 0) right_[u] += pull * gradients_(f, k);
+    }
+  }
+}
+
+void FaceMatch::fillElement(Eigen::Index face) {
+  const Faces& faces = areas_.faces();
+  const Eigen::Index dimension = frames_.cols() / 2;
+  double* value = &values_[static_cast<std::size_t>(21 * face)];
+  for (int a = 0; a < 6; ++a) {
+    const double* u = frames_.row(faces(face, a / 2)).data() + (a % 2) * dimension;
+    for (int b = a; b < 6; ++b, ++value) {
+      const double* v = frames_.row(faces(face, b / 2)).data() + (b % 2) * dimension;
+      double product = 0;
+      for (Eigen::Index d = 0; d < dimension; ++d) product += u[d] * v[d];
+      *value = weights_[face] * gradients_(face, a) * gradients_(face, b) + damping_ * stiffness_[face] * (a / 2 == b / 2 ? product : -0.5 * product);
+    }
+  }
+}
+
+Coordinates FaceMatch::step() {
+  for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f);
+  solver_.factorize(assembly_.assemble(values_));
+  return areas_.displacement(frames_, solver_.solve(right_));
+}
+
+// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
+Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const {
+  const Faces& faces = areas_.faces();
+  for (int pass = 0; pass < 20; ++pass) {
+    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
+    for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
+      const double half = 0.5 * areas_.firstFlip(image, displacement, f);
+      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
+    }
+    if (part.minCoeff() == 1) break;
+    displacement.array().colwise() *= part.array();
+  }
+  return displacement;
+}
+
+// Faces that would collapse on the way become stiffer in the steps to come, so that they move as a whole.
+void FaceMatch::stiffen(const Coordinates& image, const Coordinates& displacement) {
+  for (Eigen::Index f = 0; f < stiffness_.size(); ++f) {
+    const bool collapses = areas_.firstFlip(image, displacement, static_cast<int>(f)) < kCollapsesEarly;
+    stiffness_[f] = collapses ? std::min(stiffness_[f] * kStiffer, kStiffest) : std::max(1.0, stiffness_[f] * kSofter);
+  }
+}
+
+void FaceMatch::adapt(double step) {
+  failures_ = step > 0 ? 0 : failures_ + 1;
+  damping_ = std::max(kSmallestDamping, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
+}
+
+double FaceMatch::advance(Coordinates& image) {
+  linearise(image);
+  const double before = energy(image);
+  const Coordinates wanted = step();
+  stiffen(image, wanted);
+  const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
+  double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
+  for (int halving = 0; halving < 12; ++halving, part *= 0.5) {
+    Coordinates next = areas_.moved(image, slowed, part);
+    if (!(energy(next) < before)) continue;
+    image = std::move(next);
+    adapt(part);
+    return part;
+  }
+  adapt(0);
+  return 0;
+}
+
+}  // namespace authalic

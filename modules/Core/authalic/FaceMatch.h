@@ -1,0 +1,57 @@
+/// @file
+/// Damped Gauss–Newton steps that bring every face to its target area. Private to authalic/.
+#pragma once
+
+#include "Core/authalic/AreaFunctional.h"
+#include "Core/numerics/ElementAssembly.h"
+
+namespace authalic {
+
+/// Minimises the authalic energy E = Σ_t (q_t − m_t)² / (m_t φ_t), q = a / Σ a the image shares and m the targets.
+///
+/// One step solves (Levenberg–Marquardt)
+///
+///     min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + ε Σ_{edges ij} |δ_i − δ_j|²,   S = Σ a,
+///
+/// with φ_t = clamp(r_t, 0.02, 1), so that shrunken faces weigh as they do in r + 1/r; moves by the part of δ that folds
+/// no face and lowers E; and adapts ε: ×¼ after a long step, ×4 after a short one, ×10 after none. Where faces would
+/// collapse on the way, ε is multiplied for their edges in the steps to come: a triangle that moves rigidly stays.
+class FaceMatch {
+ public:
+  /// @param targets  m shares > 0, sum 1
+  FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend);
+
+  /// One step; `image` has no folded face and keeps none.
+  /// @return the part of δ taken, in (0, 1]; 0 when none lowered the energy
+  double advance(Coordinates& image);
+
+  /// (Σ m_t (r_t − 1)²)^½ of an image; +infinity when a face is folded.
+  [[nodiscard]] double residual(const Coordinates& image) const;
+
+  /// Five steps in a row were 0.
+  [[nodiscard]] bool stalled() const noexcept { return failures_ > 4; }
+  void restart() noexcept { failures_ = 0, damping_ = kFirstDamping; }
+
+ private:
+  static constexpr double kFirstDamping = 0.02;
+  [[nodiscard]] double energy(const Coordinates& image) const;
+  void linearise(const Coordinates& image);
+  [[nodiscard]] Coordinates step();
+  void fillElement(Eigen::Index face);
+  [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const;
+  void stiffen(const Coordinates& image, const Coordinates& displacement);
+  void adapt(double step);
+
+  const AreaFunctional& areas_;
+  const Eigen::VectorXd& targets_;
+  ElementAssembly assembly_;
+  SparseSolver solver_;
+  std::vector<double> values_;
+  AreaFunctional::Frames frames_;
+  AreaFunctional::Gradients gradients_;
+  Eigen::VectorXd weights_, right_, stiffness_;
+  double damping_ = kFirstDamping;
+  int failures_ = 0;
+};
+
+}  // namespace authalic

@@ -1,0 +1,59 @@
+#include "Core/authalic/PlanarAreas.h"
+
+#include "Core/geometry/Areas.h"
+#include "Core/numerics/FlipFreeStep.h"
+
+namespace authalic {
+namespace {
+
+std::vector<char> freedoms(const SlidingBoundary& sliding, int vertexCount) {
+  std::vector<char> freedom(static_cast<std::size_t>(vertexCount));
+  for (int v = 0; v < vertexCount; ++v) freedom[static_cast<std::size_t>(v)] = static_cast<char>(sliding.freedom(v));
+  return freedom;
+}
+
+}  // namespace
+
+PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount)
+    : AreaFunctional(faces, freedoms(sliding, vertexCount)), sliding_(sliding) {}
+
+Eigen::VectorXd PlanarAreas::areas(const Coordinates& image) const { return signedFaceAreas(Points2(image), faces()); }
+
+AreaFunctional::Frames PlanarAreas::frames(const Coordinates& image) const {
+  const Points2 points = image;
+  Frames result = Frames::Zero(image.rows(), 4);
+  for (int v = 0; v < vertexCount(); ++v) {
+    if (freedom(v) == 2) result.row(v) << 1, 0, 0, 1;
+    if (freedom(v) == 1) result.row(v).head<2>() = sliding_.tangent(points, v);
+  }
+  return result;
+}
+
+AreaFunctional::Gradients PlanarAreas::gradients(const Coordinates& image, const Frames& frames) const {
+  Gradients result(faces().rows(), 6);
+  for (Eigen::Index f = 0; f < faces().rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = faces()(f, k), j = faces()(f, (k + 1) % 3), l = faces()(f, (k + 2) % 3);
+      const double gx = 0.5 * (image(j, 1) - image(l, 1)), gy = 0.5 * (image(l, 0) - image(j, 0));
+      result(f, 2 * k) = gx * frames(i, 0) + gy * frames(i, 1);
+      result(f, 2 * k + 1) = gx * frames(i, 2) + gy * frames(i, 3);
+    }
+  }
+  return result;
+}
+
+Coordinates PlanarAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
+  Points2 result = image + t * displacement;
+  sliding_.retract(result);
+  return result;
+}
+
+double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
+  const int a = faces()(face, 0), b = faces()(face, 1), c = faces()(face, 2);
+  const auto edge = [](const Coordinates& x, int from, int to) { return Eigen::Vector2d(x.row(to) - x.row(from)); };
+  const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) { return u[0] * v[1] - u[1] * v[0]; };
+  const Eigen::Vector2d e = edge(image, a, b), g = edge(image, a, c), d = edge(displacement, a, b), h = edge(displacement, a, c);
+  return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+}  // namespace authalic

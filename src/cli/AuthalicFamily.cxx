@@ -1,0 +1,50 @@
+#include <vtkAuthalicMap.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include "MapFamily.h"
+
+namespace authalic::cli {
+namespace {
+
+class AuthalicFamily : public MapFamily {
+ public:
+  std::vector<std::string> methods() const override { return {"authalic"}; }
+
+  std::string description() const override {
+    return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and without a fold; a "
+           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE.";
+  }
+
+  std::map<std::string, std::string> sharedOptions() const override {
+    return {{"--initial", "a MAP.vtp to the same domain (default: Tutte's)"},
+            {"--tolerance", "residual sqrt(sum m (r - 1)^2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+  }
+
+  void declare(CLI::App* verb) override {
+    own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
+        ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
+  }
+
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
+                                                 const Session& session) const override {
+    const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
+    setDiskDomain(map, shared.domain);
+    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
+    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
+    if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
+    if (shared.initial) map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    return map;
+  }
+
+ private:
+  vtkNew<vtkAuthalicMap> defaults_;
+  std::optional<double> vertexTolerance_;
+};
+
+}  // namespace
+
+std::unique_ptr<MapFamily> authalicFamily() { return std::make_unique<AuthalicFamily>(); }
+
+}  // namespace authalic::cli
