@@ -1,6 +1,8 @@
 #include "Core/numerics/Mobius.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "Core/base/Error.h"
@@ -124,7 +126,9 @@ DiskCentring centreOfMassToOrigin(const Points2& points, const Eigen::VectorXd& 
   for (;; ++centring.iterations) {
     const Complex centre = massCentre(moved, masses);
     centring.residual = std::abs(centre);
-    if (centring.residual <= tolerance) centring.status = Status::Converged;
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(centring.map.a()) *
+                            std::abs(centring.map.a());  // points near the circle are known to 1e-16, magnified
+    if (centring.residual <= std::max(tolerance, rounding)) centring.status = Status::Converged;
     if (centring.status == Status::Converged || centring.iterations >= maxIterations) break;
     // What goes to 0 next; diskToOrigin of it is the composition without the rotation that it has picked up.
     const Complex next = centring.map.inverse()(centringStep(moved, masses, centre));

@@ -57,7 +57,8 @@ class Mobius {
 struct DiskCentring {
   Mobius map;                      ///< the automorphism of the unit disk; carries no rotation: its derivative at the
                                    ///< point that goes to 0 is positive
-  Status status = Status::NotRun;  ///< Converged: |Σ m_i φ(z_i)| ≤ tolerance · Σ m_i; Stalled: it runs to the circle
+  Status status = Status::NotRun;  ///< Converged: residual ≤ tolerance, or ≤ 4e-15 / (1 − |w|²), the
+                                   ///< rounding of the points; Stalled: w runs to the circle
   int iterations = 0;
   double residual = 0;             ///< |Σ m_i φ(z_i)| / Σ m_i
 };
