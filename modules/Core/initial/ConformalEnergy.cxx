@@ -14,18 +14,6 @@ constexpr double kSmallestHeight = 1e-8;  // of the longest side
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-SparseMatrix stiffnessOf(const TriangleMesh& surface) {
-  const HalfEdgeWeights weights = shapeWeights(surface);
-  ElementAssembly assembly(surface.vertexCount(), surface.faces());
-  std::vector<double> values(static_cast<std::size_t>(6 * surface.faceCount()));
-  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
-    const double w01 = weights(f, 0), w12 = weights(f, 1), w20 = weights(f, 2);
-    const std::array<double, 6> element{w01 + w20, -w01, -w20, w01 + w12, -w12, w12 + w20};
-    std::copy(element.begin(), element.end(), values.begin() + 6 * f);
-  }
-  return assembly.assemble(values);
-}
-
 }  // namespace
 
 HalfEdgeWeights shapeWeights(const TriangleMesh& surface) {
@@ -52,6 +40,18 @@ HalfEdgeWeights shapeWeights(const TriangleMesh& surface) {
   return weights;
 }
 
+SparseMatrix shapeStiffness(const TriangleMesh& surface) {
+  const HalfEdgeWeights weights = shapeWeights(surface);
+  ElementAssembly assembly(surface.vertexCount(), surface.faces());
+  std::vector<double> values(static_cast<std::size_t>(6 * surface.faceCount()));
+  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
+    const double w01 = weights(f, 0), w12 = weights(f, 1), w20 = weights(f, 2);
+    const std::array<double, 6> element{w01 + w20, -w01, -w20, w01 + w12, -w12, w12 + w20};
+    std::copy(element.begin(), element.end(), values.begin() + 6 * f);
+  }
+  return assembly.assemble(values);
+}
+
 ConformalEnergy::ConformalEnergy(const DiskMesh& disk)
     : loop_(disk.boundary()), after_(at(disk.mesh().vertexCount()), -1), before_(after_) {
   for (std::size_t k = 0; k < loop_.size(); ++k) {
@@ -59,7 +59,7 @@ ConformalEnergy::ConformalEnergy(const DiskMesh& disk)
     after_[at(here)] = next;
     before_[at(next)] = here;
   }
-  const SparseMatrix stiffness = stiffnessOf(disk.mesh());
+  const SparseMatrix stiffness = shapeStiffness(disk.mesh());
   const int n = disk.mesh().vertexCount();
   matrix_.resize(2 * n, 2 * n);
   matrix_.reserve(2 * stiffness.nonZeros() + 2 * static_cast<Eigen::Index>(loop_.size()));

@@ -1,5 +1,5 @@
 /// @file
-/// The quadratic form of the conformal energy on a disk.
+/// The stiffness of a surface with degenerate faces, and the quadratic form of the conformal energy on a disk.
 #pragma once
 
 #include <complex>
@@ -13,6 +13,9 @@ namespace authalic {
 /// Half cotangents of a surface whose degenerate faces are clamped to the nearest triangle of height 1e-8 of its longest
 /// side: unlike cotangentWeights, they belong to real triangles, so that E_D − A stays positive semi-definite.
 [[nodiscard]] HalfEdgeWeights shapeWeights(const TriangleMesh& surface);
+
+/// The cotangent stiffness with those weights, n×n, lower triangle.
+[[nodiscard]] SparseMatrix shapeStiffness(const TriangleMesh& surface);
 
 /// E_C(x, y) = ½ (xᵀLx + yᵀLy) − A(x, y), A = ½ Σ_{boundary edges i→j} (x_i y_j − x_j y_i).
 ///
