@@ -18,7 +18,7 @@ namespace authalic {
 
 struct StereographicSphereMapOptions {
   int puncturedFace = -1;        ///< face whose middle goes to the pole; −1: mostRegularFace
-  double correctedShare = 0.5;   ///< share of the surface around the pole that the second solve places anew; 0: none
+  double correctedShare = 0.95;  ///< share of the surface around the pole that the second solve places anew; 0: none
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument when a field is outside its range.
