@@ -12,6 +12,7 @@
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
+#include "Core/initial/BoundaryPair.h"
 #include "Core/initial/ConformalEnergy.h"
 
 namespace authalic {
@@ -23,27 +24,6 @@ constexpr double kShift = 1e-9;  // ε of M + εB, with the boundary's length as
 constexpr int kMostVectors = 3;  // of the subspace iteration
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-// The two boundary vertices farthest apart: exact; sorted by distance from the middle, so that most pairs are skipped.
-std::array<int, 2> farthestBoundaryPair(const DiskMesh& disk) {
-  const TriangleMesh& mesh = disk.mesh();
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const int v : disk.boundary()) middle += mesh.point(v) / static_cast<double>(disk.boundary().size());
-  std::vector<std::pair<double, int>> byRadius;
-  for (const int v : disk.boundary()) byRadius.emplace_back(-(mesh.point(v) - middle).norm(), v);
-  std::sort(byRadius.begin(), byRadius.end());
-  double best = -1;
-  std::array<int, 2> pair{byRadius[0].second, byRadius[1].second};
-  for (std::size_t a = 0; a < byRadius.size(); ++a) {
-    for (std::size_t b = 0; b < a && -byRadius[a].first - byRadius[b].first > best; ++b) {
-      const double distance = (mesh.point(byRadius[a].second) - mesh.point(byRadius[b].second)).norm();
-      if (distance <= best) continue;
-      best = distance;
-      pair = {byRadius[b].second, byRadius[a].second};
-    }
-  }
-  return pair;
-}
 
 std::array<int, 2> pinsOf(const DiskMesh& disk, const LeastSquaresConformalMapOptions& options) {
   if (options.firstPin < 0) return farthestBoundaryPair(disk);
