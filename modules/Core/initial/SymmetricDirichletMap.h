@@ -22,7 +22,7 @@ enum class IsometricBoundary {
 
 struct SymmetricDirichletMapOptions {
   IsometricBoundary boundary = IsometricBoundary::Free;
-  double tolerance = 1e-5;   ///< of the Newton decrement, √(gᵀH⁻¹g / E)
+  double tolerance = 1e-5;   ///< of the Newton decrement, √(gᵀH⁻¹g / E); E is flat to rounding below 1e-7
   int maxIterations = 100;
   SolverBackend solver = SolverBackend::Automatic;
 
