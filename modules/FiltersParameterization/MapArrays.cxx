@@ -5,6 +5,8 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -54,6 +56,20 @@ Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& sur
   setPoints(map, image);
   addDistortion(map, distortion);
   return distortion;
+}
+
+void imageToTextureCoordinates(vtkPolyData* map) {
+  Points3 image = toPoints(map);
+  const Eigen::RowVector3d lower = image.colwise().minCoeff(), size = image.colwise().maxCoeff() - lower;
+  if (size.maxCoeff() > 0) image = (image.rowwise() - lower) / size.maxCoeff();
+  vtkNew<vtkFloatArray> coordinates;  // VTK's glTF exporter leaves out any other type
+  coordinates->SetName("TCoords");
+  coordinates->SetNumberOfComponents(size[2] > 0 ? 3 : 2);
+  coordinates->SetNumberOfTuples(map->GetNumberOfPoints());
+  for (vtkIdType v = 0; v < map->GetNumberOfPoints(); ++v) coordinates->SetTuple(v, image.row(v).data());
+  setPoints(map, surfaceOfMap(map).points());
+  map->GetPointData()->RemoveArray("OriginalPoints");
+  map->GetPointData()->SetTCoords(coordinates);
 }
 
 TargetMeasure targetMeasureOf(vtkPolyData* surface, const TriangleMesh& mesh, const std::string& densityArray) {

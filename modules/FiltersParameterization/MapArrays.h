@@ -24,6 +24,10 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input,
                                                              const TriangleMesh& surface, const Points2& image,
                                                              const Eigen::VectorXd& target = {});
 
+/// Turns a map into its surface with texture coordinates: points become OriginalPoints (whose array goes), the image
+/// the active array TCoords, moved and scaled by one factor into [0, 1]², or [0, 1]³ when it is not in the plane z = 0.
+VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void imageToTextureCoordinates(vtkPolyData* map);
+
 /// The measure that the point (else cell) array of that name asks for; surface area when the name is empty.
 /// @throws InvalidArgument when there is no such array
 [[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TargetMeasure targetMeasureOf(vtkPolyData* surface,

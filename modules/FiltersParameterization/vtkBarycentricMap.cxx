@@ -27,7 +27,6 @@ void vtkBarycentricMap::Compute(vtkInformationVector** inputs, vtkInformationVec
                                 const authalic::Execution& execution) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report.clear();
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   authalic::BarycentricMapOptions options;
   options.weights = static_cast<authalic::BarycentricWeights>(this->Method);

@@ -95,7 +95,6 @@ void vtkDiscreteLieFlow::Compute(vtkInformationVector** inputs, vtkInformationVe
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Report.clear();
   const authalic::DiscreteLieFlowOptions options = this->Options();
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);

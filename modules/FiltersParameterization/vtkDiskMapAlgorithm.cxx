@@ -1,11 +1,7 @@
 #include "vtkDiskMapAlgorithm.h"
 
-#include <vtkPolyData.h>
-
 #include "Core/geometry/PlanarDomain.h"
-#include "FieldArrays.h"
-#include "FilterGuard.h"
-#include "Reports/MapReport.h"
+#include "Reports/Json.h"
 
 void vtkDiskMapAlgorithm::AddPolygonCorner(double x, double y) {
   this->PolygonCorners.insert(this->PolygonCorners.end(), {x, y});
@@ -40,17 +36,9 @@ authalic::Json vtkDiskMapAlgorithm::DescribeOptions() const {
   return options;
 }
 
-void vtkDiskMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport& report) {
-  authalic::addField(map, "Method", report.method);
-  authalic::addField(map, "Residuals", report.residuals);
-  this->Report = authalic::mapReport(report).text();
-  this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
-}
-
 void vtkDiskMapAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Domain: " << this->Domain << "\n";
   os << indent << "Aspect: " << this->Aspect << "\n";
   os << indent << "PolygonCorners: " << this->GetNumberOfPolygonCorners() << "\n";
-  os << indent << "MeasureArrayName: " << this->MeasureArrayName << "\n";
 }

@@ -14,6 +14,7 @@
 #include "Core/distortion/Distortion.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
+#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkMapDistortion);
 
@@ -47,6 +48,7 @@ void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVect
   vtkPolyData* map = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Report.clear();
   const TriangleMesh image = toTriangleMesh(map, "map");
   const TriangleMesh surface = given ? toTriangleMesh(given) : surfaceOfMap(map);
   if (surface.faces() != image.faces()) {
@@ -60,6 +62,7 @@ void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVect
   }
   const Distortion distortion = fillMap(map, output, surface, toPlanarPoints(map), target);
   if (this->Details) addDetails(output, distortion.arrays);
+  this->Report = distortionReport(distortion.summary).text();
 }
 
 void vtkMapDistortion::PrintSelf(ostream& os, vtkIndent indent) {

@@ -30,7 +30,7 @@
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkSurfaceAlgorithm.h"
 
-#include <string> // for MeasureArrayName
+#include <string> // for MeasureArrayName and Report
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkMapDistortion : public vtkSurfaceAlgorithm
 {
@@ -52,6 +52,9 @@ public:
   vtkBooleanMacro(Details, bool);
   ///@}
 
+  /** Every metric of the last execution as JSON, named as in reports of maps; empty before it and after an error. */
+  vtkGetMacro(Report, std::string);
+
 protected:
   vtkMapDistortion();
   ~vtkMapDistortion() override = default;
@@ -60,6 +63,7 @@ protected:
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
   std::string MeasureArrayName;
+  std::string Report;
   bool Details = false;
 
 private:

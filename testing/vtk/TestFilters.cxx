@@ -150,6 +150,28 @@ TEST(BarycentricMapFilter, MapsToEveryDomain) {
   EXPECT_EQ(field(filter->GetOutput(), "FlippedFaces"), 0);
 }
 
+TEST(EveryMap, CanBeTextureCoordinatesOfItsSurface) {
+  const auto input = polyData(bumpyDisk(6));
+  vtkNew<vtkBarycentricMap> filter;
+  filter->SetInputData(input);
+  filter->SetDomainToRectangle();
+  filter->Update();
+  const Points3 image = toPoints(filter->GetOutput());
+  filter->SetOutputModeToTextureCoordinates();
+  filter->Update();
+  vtkPolyData* textured = filter->GetOutput();
+  EXPECT_EQ(toPoints(textured), toPoints(input));
+  EXPECT_EQ(textured->GetPointData()->GetArray("OriginalPoints"), nullptr);
+  vtkDataArray* coordinates = textured->GetPointData()->GetTCoords();
+  ASSERT_NE(coordinates, nullptr);
+  ASSERT_EQ(coordinates->GetNumberOfComponents(), 2);
+  for (int v = 0; v < image.rows(); ++v) {  // [0, 2] × [0, 1] scaled by one factor
+    EXPECT_EQ(coordinates->GetComponent(v, 0), static_cast<float>(image(v, 0) / 2));
+    EXPECT_EQ(coordinates->GetComponent(v, 1), static_cast<float>(image(v, 1) / 2));
+  }
+  EXPECT_EQ(field(textured, "FlippedFaces"), 0);
+}
+
 TEST(BarycentricMapFilter, RefusesAClosedSurfaceInWords) {
   vtkNew<vtkBarycentricMap> filter;
   filter->SetInputData(polyData(sphereMesh(2)));

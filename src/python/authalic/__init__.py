@@ -1,24 +1,69 @@
-"""Authalic: area-preserving maps of cortical surfaces, as VTK filters.
+"""Authalic: area-preserving, measure-controlled and conformal maps of cortical and colon surfaces.
 
-Every class of the VTK modules is here by its own name and joins any VTK pipeline:
+Functions take and return numpy arrays:
 
 >>> import authalic
->>> flow = authalic.vtkDiscreteLieFlow()
->>> flow.SetInputData(surface)   # a vtkPolyData of triangles with one boundary loop
->>> flow.Update()
->>> image = flow.GetOutput()     # points are the image, point array OriginalPoints the surface
+>>> surface = authalic.read_surface("lh.pial")
+>>> surface = authalic.read_vertex_data("lh.cortex.label", surface, name="cortex")
+>>> disk = authalic.cut_to_disk(surface, region="cortex", keep=True)
+>>> map = authalic.flatten(disk)                  # or flatten(points, faces, method=..., domain=...)
+>>> map.image, map.status, map.metrics["flipped_faces"]
 
-help(authalic.vtkDiscreteLieFlow) shows ports, arrays and options with their units and defaults.
+    files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume
+    surfaces   topology, cut_to_disk, cortical_surfaces
+    maps       flatten, methods, measure_distortion
+    sampling   sample_volume, labels_on_surface, elements
+    results    Surface, SurfaceMap, Volume, Samples, Elements, Distortion
+    failures   Error: InvalidArgument, SurfaceError, SolverError, FormatError, Cancelled, NotConverged;
+               AuthalicWarning: NotConvergedWarning
+
+They run the VTK classes of this package (vtkDiscreteLieFlow ...), which join any VTK pipeline by themselves;
+help() shows their ports, arrays and options with units and defaults. Coordinates are scanner RAS in mm.
 """
-import importlib as _importlib
-import pathlib as _pathlib
+from . import _classes
+from ._classes import *  # noqa: F403
+from ._elements import Elements, elements
+from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged,
+                      NotConvergedWarning, SolverError, SurfaceError)
+from ._maps import Distortion, SurfaceMap, flatten, measure_distortion, methods
+from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
+                        write_vertex_data)
+from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume
 
 __version__ = "@PROJECT_VERSION@"
-__all__ = []
+__all__ = [
+    "AuthalicWarning",
+    "Cancelled",
+    "Distortion",
+    "Elements",
+    "Error",
+    "FormatError",
+    "InvalidArgument",
+    "NotConverged",
+    "NotConvergedWarning",
+    "Samples",
+    "SolverError",
+    "Surface",
+    "SurfaceError",
+    "SurfaceMap",
+    "Volume",
+    "cortical_surfaces",
+    "cut_to_disk",
+    "elements",
+    "flatten",
+    "labels_on_surface",
+    "measure_distortion",
+    "methods",
+    "read_surface",
+    "read_vertex_data",
+    "read_volume",
+    "sample_volume",
+    "topology",
+    "write_surface",
+    "write_vertex_data",
+]
+__all__ += _classes.__all__
 
-for _path in sorted(_pathlib.Path(__file__).parent.glob("vtkAuthalic*.so")):
-    _module = _importlib.import_module("." + _path.name.split(".")[0], __name__)
-    for _name in sorted(vars(_module)):
-        if _name.startswith("vtk"):
-            globals()[_name] = getattr(_module, _name)
-            __all__.append(_name)
+for _failure in (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged, NotConvergedWarning,
+                 SolverError, SurfaceError):
+    _failure.__module__ = __name__  # a trace shows authalic.SurfaceError

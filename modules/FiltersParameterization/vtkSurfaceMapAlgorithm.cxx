@@ -1,0 +1,29 @@
+#include "vtkSurfaceMapAlgorithm.h"
+
+#include <vtkPolyData.h>
+
+#include "FieldArrays.h"
+#include "FilterGuard.h"
+#include "MapArrays.h"
+#include "Reports/MapReport.h"
+
+int vtkSurfaceMapAlgorithm::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                        vtkInformationVector* outputs) {
+  this->Report.clear();
+  return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+void vtkSurfaceMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport& report) {
+  authalic::addField(map, "Method", report.method);
+  authalic::addField(map, "Residuals", report.residuals);
+  if (this->OutputMode == TEXTURE_COORDINATES) authalic::imageToTextureCoordinates(map);
+  this->Report = authalic::mapReport(report).text();
+  this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
+}
+
+void vtkSurfaceMapAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OutputMode: " << this->OutputMode << "\n";
+  os << indent << "MeasureArrayName: " << this->MeasureArrayName << "\n";
+  os << indent << "Report: " << (this->Report.empty() ? "none" : "there is one") << "\n";
+}

@@ -1,0 +1,62 @@
+#include <vtkDiscreteLieFlow.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include "MapFamily.h"
+
+namespace authalic::cli {
+namespace {
+
+const std::vector<std::string> initials = {"tutte", "harmonic", "mean-value"};
+const std::vector<std::string> finishes = {"none", "unfold", "match"};
+
+class LieFlowFamily : public MapFamily {
+ public:
+  std::vector<std::string> methods() const override { return {"lie-flow"}; }
+
+  std::string description() const override {
+    return "lie-flow: area-preserving, or to a measure of yours (--measure); a disk to --domain disk, square, "
+           "rectangle:ASPECT or polygon:FILE.";
+  }
+
+  std::map<std::string, std::string> sharedOptions() const override {
+    return {{"--initial", oneOf(initials) + ", or a MAP.vtp to the same domain (default: " + initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
+            {"--tolerance", "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--max-iterations", "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+  }
+
+  void declare(CLI::App* verb) override {
+    own(verb->add_option("--step-ratio", stepRatio_, "Step as a part of the first flip of a triangle, between 0 and 1."))
+        ->type_name("X")->default_str(shown(defaults_->GetStepRatio()));
+    own(verb->add_option("--fixed-step", fixedStep_, "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
+        ->type_name("X")->default_str(shown(defaults_->GetFixedStep()));
+    own(verb->add_option("--finish", finish_, "After the flow, on the input's connectivity: " + oneOf(finishes) + " areas."))
+        ->type_name("HOW")->default_str(finishes[static_cast<std::size_t>(defaults_->GetFinish())]);
+  }
+
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
+                                                 const Session& session) const override {
+    const auto flow = vtkSmartPointer<vtkDiscreteLieFlow>::New();
+    setDiskDomain(flow, shared.domain);
+    if (shared.tolerance) flow->SetTolerance(*shared.tolerance);
+    if (shared.maxIterations) flow->SetMaximumIterations(*shared.maxIterations);
+    if (fixedStep_) flow->SetFixedStep(*fixedStep_);
+    if (stepRatio_) flow->SetStepRatio(*stepRatio_);
+    if (finish_) flow->SetFinish(choice("--finish", *finish_, finishes));
+    if (!shared.initial) return flow;
+    if (isFile(*shared.initial)) flow->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    else flow->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    return flow;
+  }
+
+ private:
+  vtkNew<vtkDiscreteLieFlow> defaults_;
+  std::optional<double> fixedStep_, stepRatio_;
+  std::optional<std::string> finish_;
+};
+
+}  // namespace
+
+std::unique_ptr<MapFamily> lieFlowFamily() { return std::make_unique<LieFlowFamily>(); }
+
+}  // namespace authalic::cli

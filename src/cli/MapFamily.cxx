@@ -1,0 +1,65 @@
+#include "MapFamily.h"
+
+#include <sstream>
+#include <utility>
+
+#include <vtkDiskMapAlgorithm.h>
+
+namespace authalic::cli {
+namespace {
+
+/// Name and argument of "rectangle:2".
+std::pair<std::string, std::string> split(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  return {text.substr(0, colon), colon == std::string::npos ? std::string() : text.substr(colon + 1)};
+}
+
+void setPolygon(vtkDiskMapAlgorithm* filter, const std::string& path) {
+  for (const std::vector<double>& row : readNumbers(path)) {
+    if (row.size() != 2) throw Failure(FileProblem, path + ": two numbers per line (x y of a corner) are required.");
+    filter->AddPolygonCorner(row[0], row[1]);
+  }
+  filter->SetDomainToPolygon();
+}
+
+void setRectangle(vtkDiskMapAlgorithm* filter, const std::string& aspect) {
+  double number = 0;
+  if (!CLI::detail::lexical_cast(aspect, number)) {
+    throw Failure(UsageProblem, "--domain rectangle:ASPECT needs a number (width / height); it is '" + aspect + "'.");
+  }
+  filter->SetAspect(number);
+  filter->SetDomainToRectangle();
+}
+
+}  // namespace
+
+CLI::Option* MapFamily::own(CLI::Option* option) {
+  own_.push_back(option);
+  const std::vector<std::string> names = methods();
+  return option->group("Options of " + (names.size() == 1 ? names.front() : oneOf(names)));
+}
+
+void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>& text) {
+  const auto [name, argument] = split(text.value_or("disk"));
+  if (name == "disk" && argument.empty()) return filter->SetDomainToDisk();
+  if (name == "square" && argument.empty()) return filter->SetDomainToSquare();
+  if (name == "polygon" && !argument.empty()) return setPolygon(filter, argument);
+  if (name == "rectangle" && !argument.empty()) return setRectangle(filter, argument);
+  for (const char* other : {"sphere", "annulus", "circle-domain", "torus", "free"}) {
+    if (name == other) {
+      throw Failure(UsageProblem, "--domain " + name + " is not for maps of a disk by this method; take disk, square, "
+                                  "rectangle:ASPECT or polygon:FILE.");
+    }
+  }
+  throw Failure(UsageProblem, "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
+}
+
+bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }
+
+std::string shown(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+}  // namespace authalic::cli

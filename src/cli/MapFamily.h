@@ -1,0 +1,71 @@
+/// @file
+/// The methods of `authalic map`, in families that share a filter and their options.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+#include <vtkSurfaceMapAlgorithm.h>
+
+#include "Files.h"
+
+class vtkDiskMapAlgorithm;
+
+namespace authalic::cli {
+
+/// Options that several families know.
+struct SharedMapOptions {
+  std::optional<std::string> domain, initial;
+  std::optional<double> tolerance;
+  std::optional<int> maxIterations;
+  SpaceOption space;
+};
+
+/// One filter with the names of its methods and its options on the command line.
+class MapFamily {
+ public:
+  virtual ~MapFamily() = default;
+
+  /// Names of METHOD, in the order of the filter's enumeration where it has one.
+  [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
+  /// What they do, for which surfaces, to which domains: a paragraph of the help page.
+  [[nodiscard]] virtual std::string description() const = 0;
+  /// What those of "--initial", "--tolerance" and "--max-iterations" that the methods take mean to them, with the default.
+  [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
+  /// Declare the family's own options through own().
+  virtual void declare(CLI::App*) {}
+  /// The filter with all options set.
+  /// @throws Failure when an option cannot be used
+  [[nodiscard]] virtual vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method,
+                                                                       const SharedMapOptions& shared,
+                                                                       const Session& session) const = 0;
+
+  /// Options declared by this family, whether given or not.
+  [[nodiscard]] const std::vector<CLI::Option*>& ownOptions() const noexcept { return own_; }
+
+ protected:
+  /// Remembers an option as the family's and groups it on the help page.
+  CLI::Option* own(CLI::Option* option);
+
+ private:
+  std::vector<CLI::Option*> own_;
+};
+
+[[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
+
+/// Whether an option that takes a name or a file was given a file.
+[[nodiscard]] bool isFile(const std::string& nameOrPath);
+
+/// Sets the planar domain that `text` names (disk, square, rectangle:ASPECT, polygon:FILE); the disk when there is none.
+/// @throws Failure
+void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>& text);
+
+/// A number as the help page shows it.
+[[nodiscard]] std::string shown(double value);
+
+}  // namespace authalic::cli

@@ -1,0 +1,270 @@
+"""Maps of surfaces: one function over every map filter, and the metrics of a map."""
+import dataclasses
+import json
+from typing import Any, Optional
+
+import numpy as np
+
+from . import _arrays, _classes, _filters
+from ._errors import InvalidArgument, NotConverged, NotConvergedWarning
+from ._surfaces import Progress, Surface, to_polydata
+
+
+@dataclasses.dataclass(frozen=True)
+class Method:
+    """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
+    topology of surface that it takes: "disk", "sphere" or "annulus"."""
+    filter: str
+    settings: dict[str, Any] = dataclasses.field(default_factory=dict)
+    surface: str = "disk"
+
+    def make(self) -> Any:
+        """The VTK filter, ready for its inputs."""
+        algorithm = getattr(_classes, self.filter)()
+        _filters.configure(algorithm, **self.settings)
+        return algorithm
+
+
+# A new map filter needs one line here; its options, domains and ports are found by looking at the class.
+METHODS: dict[str, Method] = {
+    "tutte": Method("vtkBarycentricMap", {"method": "tutte"}),
+    "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
+    "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
+    "lie-flow": Method("vtkDiscreteLieFlow"),
+}
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class SurfaceMap(Surface):
+    """A map: where each vertex of a surface goes, and how well.
+
+    image         (n, 2) in the plane, or (n, 3) on the sphere
+    points, faces the surface that was mapped, in its own order
+    status        "converged", "not-converged", "stalled" or "cancelled"
+    iterations    int
+    residuals     (k,) what the method drives to 0, per iteration
+    metrics       {name: number}: area_distortion, angle_distortion (ideal 2), flipped_faces ...
+    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped
+    point_arrays  with VertexAreaDistortion (log2)
+    report        everything that the filter reports: options, seconds, topology, version ...
+    """
+    image: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros((0, 2)))
+    status: str = "not-run"
+    iterations: int = 0
+    residuals: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros(0))
+    metrics: dict[str, Any] = dataclasses.field(default_factory=dict)
+    report: dict[str, Any] = dataclasses.field(default_factory=dict)
+
+    @property
+    def converged(self) -> bool:
+        """Whether the method reached its tolerance."""
+        return self.status == "converged"
+
+    @classmethod
+    def from_filter(cls, algorithm: Any) -> "SurfaceMap":
+        """Copies the output and the report of a map filter; its output mode must be the map."""
+        if algorithm.GetOutputMode() != algorithm.MAP:
+            raise InvalidArgument(f"{algorithm.GetClassName()} must give the map: SetOutputModeToMap() first.")
+        report = json.loads(algorithm.GetReport())
+        drawn = Surface.from_vtk(algorithm.GetOutput())
+        planar = not drawn.points[:, 2].any()
+        arrays = dict(drawn.point_arrays)
+        return cls(arrays.pop("OriginalPoints"), drawn.faces, arrays, drawn.face_arrays, drawn.fields,
+                   drawn.points[:, :2].copy() if planar else drawn.points, report["status"], report["iterations"],
+                   np.array(report["residual_history"], dtype=float), report["metrics"], report)
+
+    def to_vtk(self) -> Any:
+        """The map as the filters know it: points are the image, the point array OriginalPoints is the surface."""
+        drawn = super().to_vtk()
+        _arrays.add_arrays(drawn.GetPointData(), {"OriginalPoints": self.points}, len(self.points), "vertices")
+        image = _arrays.coordinates(self.image, "image")
+        _arrays.set_points(drawn, image)
+        return drawn
+
+    def __repr__(self) -> str:
+        return (f"SurfaceMap({self.report.get('method')}, {self.status}, {len(self.points)} vertices, "
+                f"{len(self.faces)} faces, flipped_faces={self.metrics.get('flipped_faces')})")
+
+
+def methods() -> dict[str, dict[str, Any]]:
+    """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
+    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "output_mode")
+    return {name: {key: value for key, value in _filters.options_of(method.make()).items()
+                   if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
+
+
+def flatten(points: Any,
+            faces: Any = None,
+            method: str = "lie-flow",
+            domain: Any = None,
+            measure: Any = None,
+            initial: Any = None,
+            tolerance: Optional[float] = None,
+            max_iterations: Optional[int] = None,
+            *,
+            threads: int = 0,
+            progress: Progress = None,
+            on_not_converged: str = "warn",
+            **options: Any) -> SurfaceMap:
+    """Maps a surface; every vertex gets a place in the domain.
+
+    points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
+                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+    method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
+                "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
+    domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
+                corners of a polygon, (k, 2)
+    measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
+                such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
+                everywhere. Where n = m the numbers are per vertex
+    initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
+                same domain
+    tolerance   residual at which an iteration is done; None = the default of the method
+    max_iterations  None = the default of the method
+    threads     0 = every core; the result does not depend on it
+    progress    progress(fraction, stage) is called often; returning False cancels
+    on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
+    options     further options of the method by name, see methods()
+
+    Returns a SurfaceMap; its status says whether the tolerance was reached, its metrics count flipped faces.
+    Raises SurfaceError (wrong topology, degenerate geometry), InvalidArgument, SolverError, Cancelled,
+    NotConverged, KeyboardInterrupt after Ctrl-C.
+
+    >>> import authalic
+    >>> disk = authalic.cut_to_disk(authalic.read_surface("lh.pial"), region=cortex_flags, keep=True)
+    >>> map = authalic.flatten(disk)
+    >>> map.image.shape, map.status, map.metrics["flipped_faces"]
+    """
+    if on_not_converged not in ("warn", "raise", "ignore"):
+        raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
+    if method not in METHODS:
+        raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
+    algorithm = METHODS[method].make()
+    mesh = to_polydata(points, faces)
+    _set_domain(algorithm, method, domain)
+    _set_measure(algorithm, method, mesh, measure)
+    _set_initial(algorithm, method, mesh, initial)
+    _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
+    _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
+    algorithm.SetInputData(0, mesh)
+    kind, doubts = _filters.run(algorithm, progress)
+    result = SurfaceMap.from_filter(algorithm)
+    if kind == _filters.NOT_CONVERGED:
+        sentence = doubts.pop()
+        if on_not_converged == "raise":
+            raise NotConverged(sentence, result)
+        if on_not_converged == "warn":
+            _filters.warn([sentence], NotConvergedWarning)
+    _filters.warn(doubts)
+    return result
+
+
+def _refuse_unknown(algorithm, method, options):
+    known = methods()[method]
+    for name, value in options.items():
+        if value is not None and name not in known:
+            raise InvalidArgument(
+                f"Method {method} has no option '{name}'; it has: {', '.join(sorted(known)) or 'none'}.")
+
+
+def _set_domain(algorithm, method, domain):
+    if domain is None:
+        return
+    if not hasattr(algorithm, "SetDomain"):
+        raise InvalidArgument(f"Method {method} has one domain only; leave domain out.")
+    if isinstance(domain, str):
+        if domain in ("rectangle", "polygon"):
+            raise InvalidArgument('domain must be ("rectangle", aspect) or the corners of a polygon, (k, 2).')
+        _filters.configure(algorithm, domain=domain)
+    elif isinstance(domain, tuple) and domain and domain[0] == "rectangle":
+        if len(domain) != 2:
+            raise InvalidArgument('domain must be ("rectangle", aspect), aspect = width / height.')
+        _filters.configure(algorithm, domain="rectangle", aspect=domain[1])
+    else:
+        _filters.configure(algorithm, domain="polygon")
+        for x, y in _arrays.numbers(domain, "domain", (None, 2)):
+            algorithm.AddPolygonCorner(x, y)
+
+
+def _set_measure(algorithm, method, mesh, measure):
+    if measure is None:
+        return
+    if not hasattr(algorithm, "SetMeasureArrayName"):
+        raise InvalidArgument(f"Method {method} takes no measure; it has one of its own.")
+    if isinstance(measure, str):
+        return algorithm.SetMeasureArrayName(measure)
+    values = _arrays.numbers(measure, "measure", (None,))
+    vertices, cells = mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()
+    if len(values) not in (vertices, cells):
+        raise InvalidArgument(f"measure must have one number for each of the {vertices} vertices or {cells} faces; "
+                              f"it has {len(values)}.")
+    data = mesh.GetPointData() if len(values) == vertices else mesh.GetCellData()
+    mesh.GetPointData().RemoveArray("Measure")
+    _arrays.add_arrays(data, {"Measure": values}, len(values), "rows")
+    algorithm.SetMeasureArrayName("Measure")
+
+
+def _set_initial(algorithm, method, mesh, initial):
+    if initial is None:
+        return
+    if isinstance(initial, str) and hasattr(algorithm, "SetInitialMethod"):
+        return _filters.configure(algorithm, initial_method=initial)
+    if algorithm.GetNumberOfInputPorts() < 2:
+        raise InvalidArgument(f"Method {method} does not start from a map; leave initial out.")
+    image = _arrays.coordinates(getattr(initial, "image", initial), "initial")
+    if len(image) != mesh.GetNumberOfPoints():
+        raise InvalidArgument(f"initial must have one row for each of the {mesh.GetNumberOfPoints()} vertices; "
+                              f"it has {len(image)}.")
+    start = mesh.NewInstance()
+    start.CopyStructure(mesh)
+    _arrays.set_points(start, image)
+    algorithm.SetInputData(1, start)
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class Distortion:
+    """How much a map changes areas and angles.
+
+    metrics       {name: number} of the map as a whole, named as in SurfaceMap.metrics
+    face_arrays   AreaDistortion, AngleDistortion, Flipped, Beltrami (m, 2), SigmaMax, SigmaMin
+    point_arrays  VertexAreaDistortion
+    """
+    metrics: dict[str, Any]
+    face_arrays: dict[str, np.ndarray]
+    point_arrays: dict[str, np.ndarray]
+
+    def __repr__(self) -> str:
+        return f"Distortion({self.metrics})"
+
+
+def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Optional[Any] = None) -> Distortion:
+    """Metrics of any map to the plane, ours or another program's.
+
+    image          (n, 2), or a SurfaceMap's
+    points, faces  the surface, or one Surface or vtkPolyData
+    measure        (m,) target measures of the faces, any scale; None = their areas on the surface
+
+    Raises SurfaceError, InvalidArgument.
+    """
+    surface = to_polydata(points, faces)
+    flat = surface.NewInstance()
+    flat.CopyStructure(surface)
+    places = _arrays.coordinates(getattr(image, "image", image), "image")
+    if len(places) != surface.GetNumberOfPoints():
+        raise InvalidArgument(f"image must have one row for each of the {surface.GetNumberOfPoints()} vertices; "
+                              f"it has {len(places)}.")
+    _arrays.set_points(flat, places)
+    algorithm = _classes.vtkMapDistortion()
+    if measure is not None:
+        values = _arrays.numbers(measure, "measure", (surface.GetNumberOfPolys(),))
+        _arrays.add_arrays(flat.GetCellData(), {"Measure": values}, len(values), "faces")
+        algorithm.SetMeasureArrayName("Measure")
+    algorithm.DetailsOn()
+    algorithm.SetInputData(0, flat)
+    algorithm.SetInputData(1, surface)
+    _filters.warn(_filters.run(algorithm)[1])
+    done = Surface.from_vtk(algorithm.GetOutput())
+    cells = {name: done.face_arrays[name] for name in
+             ("AreaDistortion", "AngleDistortion", "Flipped", "Beltrami", "SigmaMax", "SigmaMin")}
+    return Distortion(json.loads(algorithm.GetReport()), cells,
+                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]})

@@ -1,0 +1,343 @@
+#!/usr/bin/python3
+"""authalic.flatten: arrays in and out, the numbers of the filters, every failure in words, progress and
+interrupts."""
+import inspect
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import numpy as np
+
+import authalic
+from authalic import _classes, _maps
+
+DATA = pathlib.Path(__file__).parents[2] / "data"
+
+
+def bumpy_disk():
+    surface = authalic.read_surface(DATA / "bumpy_disk.off")
+    return surface.points, surface.faces
+
+
+def surface_for(method):
+    """A surface of the topology that a method takes."""
+    topology = _maps.METHODS[method].surface
+    if topology == "sphere":
+        surface = authalic.read_surface(DATA / "folded_sphere.off")
+        return surface.points, surface.faces
+    points, faces = bumpy_disk()
+    if topology == "disk":
+        return points, faces
+    kept = np.linalg.norm(points[faces].mean(axis=1)[:, :2], axis=1) > np.ptp(points[:, 0]) / 6
+    used, corners = np.unique(faces[kept], return_inverse=True)
+    return points[used], corners.reshape(-1, 3)
+
+
+def square_sheet(n=12):
+    """A flat unit square of 2 n² triangles."""
+    x, y = np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1), indexing="ij")
+    at = np.arange((n + 1)**2).reshape(n + 1, n + 1)
+    a, b, c, d = (s.ravel() for s in (at[:-1, :-1], at[1:, :-1], at[1:, 1:], at[:-1, 1:]))
+    return np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()]), np.concatenate(
+        [np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+
+
+def shares(image, faces):
+    """Signed area of each face as a part of the whole."""
+    a, b, c = (image[faces[:, k]] for k in range(3))
+    areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    return areas / areas.sum()
+
+
+class Results(unittest.TestCase):
+    def test_every_method_gives_an_image_without_folds_and_the_surface_back(self):
+        for method in authalic.methods():
+            points, faces = surface_for(method)
+            result = authalic.flatten(points, faces, method=method)
+            self.assertEqual(result.image.shape[0], len(points), method)
+            self.assertTrue(np.array_equal(result.points, points) and np.array_equal(result.faces, faces), method)
+            self.assertTrue(result.converged, method)
+            self.assertEqual(result.metrics["flipped_faces"], 0, method)
+            self.assertEqual(result.report["method"], method)
+
+    def test_the_lie_flow_preserves_areas_where_the_harmonic_map_does_not(self):
+        points, faces = bumpy_disk()
+        corners = points[faces]
+        native = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        native /= native.sum()
+        off = {method: np.abs(shares(authalic.flatten(points, faces, method).image, faces) / native - 1)
+               for method in ("lie-flow", "harmonic")}
+        self.assertLess(off["lie-flow"].max(), 0.15)
+        self.assertGreater(off["harmonic"].max(), 1.0)
+
+    def test_has_the_bits_of_the_filter(self):
+        points, faces = bumpy_disk()
+        result = authalic.flatten(points, faces, domain="square", tolerance=1e-3)
+        flow = authalic.vtkDiscreteLieFlow()
+        flow.SetInputData(authalic.Surface(points, faces).to_vtk())
+        flow.SetDomainToSquare()
+        flow.SetTolerance(1e-3)
+        flow.Update()
+        again = authalic.SurfaceMap.from_filter(flow)
+        self.assertTrue(np.array_equal(result.image, again.image))
+        self.assertEqual(result.metrics, again.metrics)
+        self.assertTrue(np.array_equal(result.face_arrays["AreaDistortion"], again.face_arrays["AreaDistortion"]))
+
+    def test_has_the_bits_of_the_command(self):
+        command = pathlib.Path(os.environ.get("AUTHALIC_BINARY_DIR", ""), "bin/authalic")
+        if not command.exists():
+            self.skipTest(f"{command} is not there")
+        with tempfile.TemporaryDirectory() as here:
+            disk, image = str(DATA / "bumpy_disk.off"), f"{here}/map.vtp"
+            subprocess.run([str(command), "map", "lie-flow", disk, "-o", image, "--quiet"], check=True)
+            self.assertTrue(np.array_equal(authalic.read_surface(image).points[:, :2],
+                                           authalic.flatten(authalic.read_surface(disk)).image))
+
+    def test_options_left_out_have_the_defaults_of_the_filter(self):
+        flow = authalic.vtkDiscreteLieFlow()
+        report = authalic.flatten(*bumpy_disk()).report["options"]
+        self.assertEqual(report["tolerance"], flow.GetTolerance())
+        self.assertEqual(report["max_iterations"], flow.GetMaximumIterations())
+        self.assertEqual(report["domain"], "disk")
+
+    def test_a_flat_square_stays_where_it_is(self):
+        points, faces = square_sheet()
+        image = authalic.flatten(points, faces, "harmonic", "square").image
+        moved = [np.abs(turn(image) - points[:, :2]).max() for turn in
+                 (lambda p: p, lambda p: np.column_stack([p[:, 1], 1 - p[:, 0]]), lambda p: 1 - p,
+                  lambda p: np.column_stack([1 - p[:, 1], p[:, 0]]))]
+        self.assertLess(min(moved), 1e-12)
+
+    def test_every_domain(self):
+        points, faces = bumpy_disk()
+        rectangle = authalic.flatten(points, faces, "tutte", ("rectangle", 3.0)).image
+        self.assertTrue(np.allclose([rectangle.min(axis=0), rectangle.max(axis=0)], [(0, 0), (3, 1)]))
+        triangle = authalic.flatten(points, faces, "tutte", [(0, 0), (4, 0), (0, 5)]).image
+        self.assertTrue(np.allclose(triangle.max(axis=0), (4, 5)))
+        disk = authalic.flatten(points, faces, "tutte", "disk").image
+        self.assertAlmostEqual(np.linalg.norm(disk, axis=1).max(), 1.0)
+
+    def test_a_measure_per_face_and_per_vertex_enlarges_its_region(self):
+        points, faces = bumpy_disk()
+        inside = np.linalg.norm(points[:, :2] - points[:, :2].mean(axis=0), axis=1) < np.ptp(points[:, 0]) / 6
+        for measure, chosen in ((np.where(inside, 4.0, 1.0), inside[faces].all(axis=1)),
+                                (np.where(inside[faces].all(axis=1), 4.0, 1.0), inside[faces].all(axis=1))):
+            plain, larger = (shares(authalic.flatten(points, faces, measure=m).image, faces)[chosen].sum()
+                             for m in (None, measure))
+            self.assertGreater(larger, 2.5 * plain)
+
+    def test_starts_from_a_name_an_image_or_a_map(self):
+        points, faces = bumpy_disk()
+        start = authalic.flatten(points, faces, "mean-value")
+        images = [
+            authalic.flatten(points, faces, initial=initial).image
+            for initial in ("mean-value", start, start.image)
+        ]
+        self.assertTrue(np.array_equal(images[0], images[1]) and np.array_equal(images[1], images[2]))
+        self.assertFalse(np.array_equal(images[0], authalic.flatten(points, faces).image))
+
+    def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
+        points, faces = square_sheet(4)
+        expected = authalic.flatten(points, faces, "mean-value").image
+        for p, f in ((points.tolist(), faces.tolist()), (np.asfortranarray(points), np.asfortranarray(faces)),
+                     (points, faces.astype(np.uint16)), (points[:, :2], faces), (points.astype(np.float32), faces)):
+            self.assertTrue(np.array_equal(authalic.flatten(p, f, "mean-value").image, expected))
+
+    def test_never_changes_or_shares_its_input(self):
+        points, faces = bumpy_disk()
+        kept = points.copy(), faces.copy()
+        result = authalic.flatten(points, faces, measure=np.ones(len(points)))
+        result.points[:] = 0
+        result.faces[:] = 0
+        result.image[:] = 0
+        self.assertTrue(np.array_equal(points, kept[0]) and np.array_equal(faces, kept[1]))
+
+    def test_passes_the_arrays_and_fields_of_a_surface(self):
+        points, faces = bumpy_disk()
+        surface = authalic.Surface(points, faces, {"Sulc": points[:, 2]}, {"Part": np.arange(len(faces))},
+                                   {"Note": "kept"})
+        result = authalic.flatten(surface, method="tutte")
+        self.assertTrue(np.array_equal(result.point_arrays["Sulc"], points[:, 2]))
+        self.assertTrue(np.array_equal(result.face_arrays["Part"], np.arange(len(faces))))
+        self.assertEqual(result.fields["Note"], "kept")
+
+    def test_the_same_bits_at_any_thread_count(self):
+        one, two = (authalic.flatten(*bumpy_disk(), threads=threads).image for threads in (1, 2))
+        self.assertTrue(np.array_equal(one, two))
+
+
+class Failures(unittest.TestCase):
+    def refuses(self, kind, *words, **options):
+        arguments = dict(zip(("points", "faces"), square_sheet(4)))
+        arguments.update(options)
+        with self.assertRaises(kind) as caught:
+            authalic.flatten(**arguments)
+        sentence = str(caught.exception)
+        for word in words:
+            self.assertIn(word, sentence)
+        self.assertNotIn("\n", sentence)
+        self.assertNotIn("0x", sentence)
+
+    def test_options_out_of_range_unknown_or_of_another_method(self):
+        self.refuses(authalic.InvalidArgument, "lie-flow", method="no-method")
+        self.refuses(authalic.InvalidArgument, "disk", domain="sphere")
+        self.refuses(authalic.InvalidArgument, "aspect", domain="rectangle")
+        self.refuses(authalic.InvalidArgument, "aspect", domain=("rectangle",))
+        self.refuses(authalic.InvalidArgument, domain=("rectangle", -1.0))
+        self.refuses(authalic.InvalidArgument, "3", domain=[(0, 0), (1, 0)])
+        self.refuses(authalic.InvalidArgument, "tolerance", tolerance=0)
+        self.refuses(authalic.InvalidArgument, "tolerance", tolerance=float("nan"))
+        self.refuses(authalic.InvalidArgument, "max_iterations", max_iterations=-1)
+        self.refuses(authalic.InvalidArgument, "threads", threads=-1)
+        self.refuses(authalic.InvalidArgument, "tutte", method="tutte", tolerance=0.1)
+        self.refuses(authalic.InvalidArgument, "stepratio", stepratio=0.1)
+        self.refuses(authalic.InvalidArgument, "step_ratio", step_ratio="much")
+        self.refuses(authalic.InvalidArgument, "unfold", finish="later")
+        self.refuses(authalic.InvalidArgument, "harmonic", initial="nowhere")
+        self.refuses(authalic.InvalidArgument, "initial", initial=np.zeros((3, 2)))
+        self.refuses(authalic.InvalidArgument, "initial", method="tutte", initial="harmonic")
+        self.refuses(authalic.InvalidArgument, "callable", progress=3)
+        self.refuses(authalic.InvalidArgument, "on_not_converged", on_not_converged="shrug")
+
+    def test_arrays_of_another_shape_or_kind(self):
+        points, faces = square_sheet(4)
+        self.refuses(authalic.InvalidArgument, "points", points=points[:, :1])
+        self.refuses(authalic.InvalidArgument, "points", points="surface")
+        self.refuses(authalic.InvalidArgument, "points", points=[[None] * 3])
+        self.refuses(authalic.InvalidArgument, "faces", faces=faces[:, :2])
+        self.refuses(authalic.InvalidArgument, "faces", faces=faces.astype(float))
+        self.refuses(authalic.InvalidArgument, "faces", faces=None)
+        self.refuses(authalic.InvalidArgument, "twice", points=authalic.Surface(points, faces))
+        self.refuses(authalic.SurfaceError, "face 0", "0 to 24", faces=faces + 2**33)
+        self.refuses(authalic.SurfaceError, "from 0", faces=faces - 1)
+        self.refuses(authalic.InvalidArgument, "measure", "25", measure=[1.0, 2.0])
+        self.refuses(authalic.InvalidArgument, "measure", measure=np.ones((25, 2)))
+        self.refuses(authalic.InvalidArgument, "Nowhere", measure="Nowhere")
+        self.refuses(ValueError, measure=-np.ones(25))
+        self.refuses(ValueError, measure=np.full(25, np.nan))
+
+    def test_surfaces_that_are_no_disk_or_no_numbers(self):
+        points, faces = square_sheet(4)
+        torus = authalic.read_surface(DATA / "torus.off")
+        self.refuses(authalic.SurfaceError, "disk", "genus 1", points=torus.points, faces=torus.faces)
+        self.refuses(authalic.SurfaceError, "empty", points=np.zeros((0, 3)), faces=np.zeros((0, 3), int))
+        broken = points.copy()
+        broken[7, 1] = np.nan
+        self.refuses(authalic.SurfaceError, "vertex 7", points=broken)
+        self.refuses(authalic.SurfaceError, faces=np.concatenate([faces, faces[:1]]))
+
+    def test_not_converged_is_a_warning_an_exception_with_the_result_or_nothing(self):
+        few = dict(max_iterations=1, max_finish_iterations=0, tolerance=1e-9)
+        with self.assertWarns(authalic.NotConvergedWarning) as caught:
+            result = authalic.flatten(*bumpy_disk(), **few)
+        self.assertEqual(result.status, "not-converged")
+        self.assertEqual(pathlib.Path(caught.filename).name, pathlib.Path(__file__).name)
+        with self.assertRaises(authalic.NotConverged) as caught:
+            authalic.flatten(*bumpy_disk(), on_not_converged="raise", **few)
+        self.assertTrue(np.array_equal(caught.exception.result.image, result.image))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            authalic.flatten(*bumpy_disk(), on_not_converged="ignore", **few)
+
+    def test_says_nothing_on_stdout_or_stderr(self):
+        script = ("import authalic, numpy\nfor last in ([0, 1, 5], [0, 2, 1]):\n    try:\n"
+                  "        authalic.flatten(numpy.eye(4, 3), [[0, 1, 2], last])\n"
+                  "    except authalic.SurfaceError: print('refused')\n")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+        self.assertEqual((done.stdout, done.stderr), ("refused\nrefused\n", ""))
+
+
+class Stopping(unittest.TestCase):
+    def test_progress_rises_to_one_with_the_name_of_the_stage(self):
+        seen = []
+        authalic.flatten(*bumpy_disk(), progress=lambda fraction, stage: seen.append((fraction, stage)))
+        fractions = [fraction for fraction, _ in seen]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertEqual(fractions[-1], 1.0)
+        self.assertIn("Discrete Lie flow", {stage for _, stage in seen})
+
+    def test_progress_that_returns_false_cancels(self):
+        calls = []
+
+        def stop(fraction, stage):
+            calls.append(fraction)
+            return False
+        with self.assertRaises(authalic.Cancelled):
+            authalic.flatten(*bumpy_disk(), progress=stop)
+        self.assertEqual(len(calls), 1)
+        authalic.flatten(*bumpy_disk(), progress=lambda fraction, stage: None)
+
+    def test_what_progress_raises_comes_out(self):
+        def fail(fraction, stage):
+            raise KeyError("mine")
+        with self.assertRaisesRegex(KeyError, "mine"):
+            authalic.flatten(*bumpy_disk(), progress=fail)
+
+    def test_no_filter_is_left_behind(self):
+        made, gone, original = [], [], _classes.vtkDiscreteLieFlow
+
+        def make():
+            made.append(1)
+            algorithm = original()
+            algorithm.AddObserver("DeleteEvent", lambda *_: gone.append(1))
+            return algorithm
+        try:
+            _classes.vtkDiscreteLieFlow = make
+            authalic.flatten(*bumpy_disk(), progress=lambda *_: None)
+            with self.assertRaises(authalic.SurfaceError):
+                authalic.flatten(authalic.read_surface(DATA / "torus.off"))
+        finally:
+            _classes.vtkDiscreteLieFlow = original
+        self.assertGreater(len(made), 1)
+        self.assertEqual(len(gone), len(made))
+
+    def test_control_c_is_a_keyboard_interrupt_before_the_end(self):
+        handler = signal.getsignal(signal.SIGINT)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        seen = []
+
+        def press(fraction, stage):
+            seen.append(fraction)
+            if len(seen) == 3:
+                os.kill(os.getpid(), signal.SIGINT)
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                authalic.flatten(*bumpy_disk(), tolerance=1e-9, progress=press)
+            self.assertLess(seen[-1], 1.0)
+            self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+        finally:
+            signal.signal(signal.SIGINT, handler)
+
+
+class Documentation(unittest.TestCase):
+    def test_signature_and_docstring_name_every_parameter(self):
+        signature = inspect.signature(authalic.flatten)
+        self.assertEqual(list(signature.parameters)[:8], ["points", "faces", "method", "domain", "measure", "initial",
+                                                          "tolerance", "max_iterations"])
+        for name in signature.parameters:
+            self.assertIn(name, authalic.flatten.__doc__)
+        for method in authalic.methods():
+            self.assertIn(method, authalic.flatten.__doc__)
+
+    def test_every_map_filter_of_the_package_has_a_method(self):
+        filters = {method.filter for method in _maps.METHODS.values()}
+        for name in (name for name in authalic.__all__ if name.startswith("vtk")):
+            try:
+                is_map = getattr(authalic, name)().IsA("vtkSurfaceMapAlgorithm")
+            except (TypeError, NotImplementedError):  # abstract
+                continue
+            self.assertEqual(name in filters, bool(is_map), name)
+
+    def test_every_line_of_the_table_of_methods_makes_a_filter(self):
+        for name, method in _maps.METHODS.items():
+            self.assertTrue(method.make().IsA("vtkSurfaceAlgorithm"), name)
+            self.assertIsInstance(authalic.methods()[name], dict)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
