@@ -13,14 +13,9 @@
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/Development.h"
 #include "Core/numerics/CircleFit.h"
-#include "Core/numerics/Mobius.h"
 
 namespace authalic {
 namespace {
-
-void putOnCircle(const std::vector<int>& boundary, Points2& image) {
-  for (const int v : boundary) image.row(v).normalize();
-}
 
 bool touchesBoundary(const DiskMesh& disk, int face) {
   for (int k = 0; k < 3; ++k) {
@@ -120,64 +115,14 @@ void byPuncture(const DiskMesh& disk, const RiemannMapOptions& options, const Ex
   takeOver(std::move(cylinder.flow), result);
 }
 
-Mobius centring(const DiskMesh& disk, const Points2& image, const DiskNormalisation& normalisation) {
-  if (normalisation.centre == DiskCentre::AreaCentroid) {
-    const Eigen::VectorXd areas = vertexStars(faceAreas(disk.mesh()), disk.mesh().faces(), disk.mesh().vertexCount());
-    return centreOfMassToOrigin(image, areas).map;
-  }
-  Eigen::RowVector2d place = Eigen::RowVector2d::Zero();
-  if (normalisation.centre == DiskCentre::Vertex) {
-    place = image.row(normalisation.centreId);
-  } else {
-    for (int k = 0; k < 3; ++k) place += image.row(disk.mesh().faces()(normalisation.centreId, k)) / 3;
-  }
-  return Mobius::diskToOrigin({place[0], place[1]});
-}
-
 }  // namespace
 
 const char* riemannRoadName(RiemannRoad road) noexcept {
   return road == RiemannRoad::Boundary ? "boundary" : "puncture";
 }
 
-const char* diskCentreName(DiskCentre centre) noexcept {
-  switch (centre) {
-    case DiskCentre::AreaCentroid: return "area-centroid";
-    case DiskCentre::Vertex: return "vertex";
-    case DiskCentre::Face: return "face";
-  }
-  return "area-centroid";
-}
-
-void DiskNormalisation::validate(const DiskMesh& disk) const {
-  const std::vector<char>& onBoundary = disk.topology().onBoundary();
-  const int n = disk.mesh().vertexCount(), m = disk.mesh().faceCount();
-  if (startVertex < -1 || startVertex >= n || (startVertex >= 0 && !onBoundary[static_cast<std::size_t>(startVertex)])) {
-    throw InvalidArgument("A boundary vertex is required at angle 0, but vertex " + std::to_string(startVertex) +
-                          " is none.");
-  }
-  if (centre == DiskCentre::Vertex &&
-      (centreId < 0 || centreId >= n || onBoundary[static_cast<std::size_t>(centreId)])) {
-    throw InvalidArgument("An inner vertex is required at the centre, but vertex " + std::to_string(centreId) +
-                          " is none.");
-  }
-  if (centre == DiskCentre::Face && (centreId < 0 || centreId >= m)) {
-    throw InvalidArgument("A face is required at the centre, but there is no face " + std::to_string(centreId) + ".");
-  }
-}
-
-Points2 normaliseDisk(const DiskMesh& disk, const Points2& image, const DiskNormalisation& normalisation) {
-  normalisation.validate(disk);
-  const Mobius centred = centring(disk, image, normalisation);
-  const int start = normalisation.startVertex >= 0 ? normalisation.startVertex : disk.boundary().front();
-  const Mobius::Complex at = centred(Mobius::Complex(image(start, 0), image(start, 1)));
-  Points2 normal = (Mobius::rotation(-std::arg(at)) * centred)(image);
-  putOnCircle(disk.boundary(), normal);
-  return normal;
-}
-
 RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution) {
-  options.normalisation.validate(disk);
+  options.normalisation.validate(disk.mesh(), disk.boundary(), disk.topology().onBoundary());
   options.flow.validate();
   const auto start = std::chrono::steady_clock::now();
   RiemannMapResult result;
@@ -187,8 +132,8 @@ RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& optio
     byPuncture(disk, options, execution, result);
   }
   if (result.status != Status::Cancelled) {
-    putOnCircle(disk.boundary(), result.image);
-    result.image = normaliseDisk(disk, result.image, options.normalisation);
+    for (const int v : disk.boundary()) result.image.row(v).normalize();
+    result.image = normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
     result.flippedFaces = countFlippedFaces(result.image, disk.mesh().faces());
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

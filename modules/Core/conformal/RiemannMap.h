@@ -6,6 +6,7 @@
 
 #include "Core/base/Execution.h"
 #include "Core/base/Status.h"
+#include "Core/conformal/DiskNormalisation.h"
 #include "Core/conformal/YamabeFlow.h"
 #include "Core/mesh/DiskMesh.h"
 
@@ -15,23 +16,6 @@ namespace authalic {
 enum class RiemannRoad {
   Boundary,  ///< prescribe the curvature of a circle on the boundary: discretely conformal up to the boundary
   Puncture,  ///< take out a face, make the rest a flat cylinder, close it by the exponential @cite nadeem2017
-};
-
-/// What goes to the centre of the disk.
-enum class DiskCentre {
-  AreaCentroid,  ///< Σ A_i z_i = 0 with the surface areas A_i of the vertex stars: needs no choice, hides no part
-  Vertex,        ///< a given vertex
-  Face,          ///< the centroid of a given face
-};
-
-/// The freedom of a map to the disk: what goes to the centre, what to angle 0.
-struct DiskNormalisation {
-  DiskCentre centre = DiskCentre::AreaCentroid;
-  int centreId = -1;     ///< vertex or face id, for Vertex and Face
-  int startVertex = -1;  ///< boundary vertex at angle 0; −1 = the one with the smallest id
-
-  /// @throws InvalidArgument when an id does not belong to the disk
-  void validate(const DiskMesh& disk) const;
 };
 
 struct RiemannMapOptions {
@@ -71,14 +55,7 @@ struct RiemannMapResult {
 [[nodiscard]] RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options = {},
                                           const Execution& execution = {});
 
-/// Puts an image on the unit disk into its normal position; boundary vertices are on the circle to rounding.
-/// @param image  n×2, boundary on the unit circle
-/// @throws InvalidArgument from the normalisation; GeometryError when the image is not in the disk
-[[nodiscard]] Points2 normaliseDisk(const DiskMesh& disk, const Points2& image, const DiskNormalisation& normalisation);
-
 /// "boundary", "puncture".
 [[nodiscard]] const char* riemannRoadName(RiemannRoad road) noexcept;
-/// "area-centroid", "vertex", "face".
-[[nodiscard]] const char* diskCentreName(DiskCentre centre) noexcept;
 
 }  // namespace authalic
