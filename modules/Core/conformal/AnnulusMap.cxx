@@ -8,7 +8,7 @@
 
 #include "Core/base/Error.h"
 #include "Core/conformal/FlatCylinder.h"
-#include "Core/geometry/Areas.h"
+#include "Core/conformal/Unfolding.h"
 #include "Core/topology/LoopLength.h"
 
 namespace authalic {
@@ -46,6 +46,25 @@ PeriodicRectangle unroll(const FlatCylinder& cylinder, const Faces& faces, int v
   return rectangle;
 }
 
+void unfoldBoth(const AnnulusMesh& annulus, bool repair, AnnulusMapResult& result) {
+  UnfoldedImage ring = unfoldImage(annulus.mesh(), annulus.topology(), std::move(result.image), repair);
+  PeriodicRectangle& rectangle = result.rectangle;
+  Points3 places(rectangle.points.rows(), 3);
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    places.row(i) = annulus.mesh().points().row(rectangle.originalPointIds[static_cast<std::size_t>(i)]);
+  }
+  const TriangleMesh opened(std::move(places), rectangle.faces);
+  const SurfaceTopology topology(rectangle.faces, opened.vertexCount());
+  UnfoldedImage flat = unfoldImage(opened, topology, std::move(rectangle.points), repair);
+  result.image = std::move(ring.image);
+  rectangle.points = std::move(flat.image);
+  result.flippedBeforeUnfolding = ring.flippedBefore + flat.flippedBefore;
+  result.flippedFaces = ring.flippedAfter;
+  result.flippedRectangleFaces = flat.flippedAfter;
+  result.pockets = ring.pockets;
+  result.rectanglePockets = flat.pockets;
+}
+
 }  // namespace
 
 AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options, const Execution& execution) {
@@ -70,8 +89,7 @@ AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions&
     result.innerRadius = std::exp(-cylinder.height);
     result.image = exponential(cylinder.strip);
     result.rectangle = unroll(cylinder, mesh.faces(), mesh.vertexCount());
-    result.flippedFaces = countFlippedFaces(result.image, mesh.faces());
-    result.flippedRectangleFaces = countFlippedFaces(result.rectangle.points, result.rectangle.faces);
+    unfoldBoth(annulus, options.unfold, result);
   }
   result.history = std::move(cylinder.flow.history);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

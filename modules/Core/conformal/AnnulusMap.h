@@ -14,6 +14,7 @@ namespace authalic {
 struct AnnulusMapOptions {
   int outerLoop = -1;    ///< loop of AnnulusMesh::loops() that becomes the outer circle; −1 = the longer one (mm)
   int startVertex = -1;  ///< vertex of the outer loop at angle 0; −1 = the one with the smallest id
+  bool unfold = true;    ///< bulge pockets, re-embed small patches around folded faces (initial/Unfold)
   YamabeFlowOptions flow;
 };
 
@@ -35,8 +36,11 @@ struct AnnulusMapResult {
   double residual = 0;            ///< max |K| of the flow
   double holonomy = 0;            ///< how far the development is from closing by a pure translation, see Development
   double straightness = 0;        ///< how far the loops were from their circles, in circumferences, before they were put there
+  int flippedBeforeUnfolding = 0; ///< faces that the conformal map itself folds, on ring and rectangle
   int flippedFaces = 0;           ///< folded faces of the ring
   int flippedRectangleFaces = 0;  ///< folded faces of the rectangle
+  int pockets = 0;                ///< pockets bulged into the hole of the ring, see FoldedPockets
+  int rectanglePockets = 0;       ///< pockets bulged out of the rectangle
   int iterations = 0;
   int edgeFlips = 0;              ///< of the intrinsic triangulation, all kinds
   std::vector<YamabeIteration> history;
@@ -51,9 +55,10 @@ struct AnnulusMapResult {
 /// surface. The modulus is a conformal invariant of the surface.
 ///
 /// The rectangle's sides follow the edges of the cut; they are alike but for a shift by 1.
-/// Guarantees: loops on their circles and lines to 1e-15. Not guaranteed: no folded face (→ flippedFaces,
-/// flippedRectangleFaces). On the ring a chord of the mesh's inner loop may cut through the hole where few vertices carry
-/// it. Complexity: that of the flow. When cancelled, the image is empty and the status says so.
+/// Guarantees: loops on their circles and lines to 1e-15, but for vertices of pockets. Ears of the surface (triangles with
+/// two boundary edges) and larger pockets have no area on a straight line and are folded in a hole: there they are bulged
+/// out and counted (pockets, rectanglePockets). Not guaranteed: no folded face (→ flippedFaces, flippedRectangleFaces).
+/// Complexity: that of the flow. When cancelled, the image is empty and the status says so.
 /// @cite nadeem2017 @cite springborn2008
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
 [[nodiscard]] AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options = {},

@@ -7,7 +7,7 @@
 
 #include "Core/base/Error.h"
 #include "Core/conformal/KoebeIteration.h"
-#include "Core/geometry/Areas.h"
+#include "Core/conformal/Unfolding.h"
 #include "Core/geometry/Development.h"
 #include "Core/topology/LoopLength.h"
 
@@ -52,7 +52,11 @@ void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options, 
   for (const int v : outerLoop) result.image.row(v).normalize();
   result.image = normaliseDisk(surface.mesh(), surface.topology(), outerLoop, result.image, options.normalisation);
   for (const std::vector<int>& loop : loops) result.circles.push_back(fitCircle(result.image, loop));
-  result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());
+  UnfoldedImage unfolded = unfoldImage(surface.mesh(), surface.topology(), std::move(result.image), options.unfold);
+  result.image = std::move(unfolded.image);
+  result.flippedBeforeUnfolding = unfolded.flippedBefore;
+  result.flippedFaces = unfolded.flippedAfter;
+  result.pockets = unfolded.pockets;
 }
 
 }  // namespace

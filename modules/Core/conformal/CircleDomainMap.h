@@ -25,6 +25,7 @@ struct CircleDomainOptions {
   double roundness = 1e-6; ///< Koebe: stop when every loop is a circle to this, relative to its radius, > 0
   int maxRounds = 100;     ///< Koebe: rounds over all loops, ≥ 0
   DiskNormalisation normalisation;
+  bool unfold = true;      ///< bulge pockets, re-embed small patches around folded faces (initial/Unfold)
   YamabeFlowOptions flow;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -39,7 +40,9 @@ struct CircleDomainResult {
   double residual = 0;                ///< max |K − K̄| of the (last) flow
   double holonomy = 0;                ///< of its development
   double roundness = 0;               ///< how far loops were from their circles, relative, before vertices were put on them
+  int flippedBeforeUnfolding = 0;     ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;               ///< faces of the input that are folded in the image
+  int pockets = 0;                    ///< pockets bulged into holes, see FoldedPockets
   int iterations = 0;                 ///< Newton steps, all flows
   int rounds = 0;                     ///< Koebe: rounds over all loops
   int edgeFlips = 0;                  ///< of the intrinsic triangulation, all kinds
@@ -56,7 +59,8 @@ struct CircleDomainResult {
 /// **Koebe.** Loop by loop: turn the domain inside out around it, fill all other holes with fans, take the Riemann map.
 /// Linear convergence, many flows: an independent check, not the way to work.
 ///
-/// Guarantees: vertices of loops on their circles to 1e-14. Not guaranteed: no folded face (→ flippedFaces); that loops of
+/// Guarantees: vertices of loops on their circles to 1e-14, but for those of pockets: an ear of the surface (a triangle with
+/// two boundary edges) on an inner circle would lie in the hole and is bulged into it (`pockets`). Not guaranteed: no folded face (→ flippedFaces); that loops of
 /// few vertices stay apart (chords, not arcs, bound the mesh).
 /// Complexity: that of the flow; Koebe: k flows per round. When cancelled, the image is empty and the status says so.
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError

@@ -10,7 +10,7 @@
 
 #include "Core/base/Error.h"
 #include "Core/conformal/FlatCylinder.h"
-#include "Core/geometry/Areas.h"
+#include "Core/conformal/Unfolding.h"
 #include "Core/geometry/Development.h"
 #include "Core/numerics/CircleFit.h"
 
@@ -134,7 +134,10 @@ RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& optio
   if (result.status != Status::Cancelled) {
     for (const int v : disk.boundary()) result.image.row(v).normalize();
     result.image = normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
-    result.flippedFaces = countFlippedFaces(result.image, disk.mesh().faces());
+    UnfoldedImage unfolded = unfoldImage(disk.mesh(), disk.topology(), std::move(result.image), options.unfold);
+    result.image = std::move(unfolded.image);
+    result.flippedBeforeUnfolding = unfolded.flippedBefore;
+    result.flippedFaces = unfolded.flippedAfter;
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   execution.report(1, "Riemann map");

@@ -22,6 +22,7 @@ struct RiemannMapOptions {
   RiemannRoad road = RiemannRoad::Boundary;
   int puncture = -1;  ///< face taken out on the road Puncture, no vertex of it on the boundary; −1 = the one farthest from it
   DiskNormalisation normalisation;
+  bool unfold = true;    ///< re-embed small patches around folded faces (initial/Unfold); the boundary stays
   YamabeFlowOptions flow;
 };
 
@@ -31,6 +32,7 @@ struct RiemannMapResult {
   double residual = 0;            ///< max |K − K̄| of the flow
   double holonomy = 0;            ///< of the layout, see Development
   double roundness = 0;           ///< how far boundary vertices were from the circle, relative, before they were put on it
+  int flippedBeforeUnfolding = 0; ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;           ///< faces of the input that are folded in the image
   int iterations = 0;             ///< Newton steps
   int edgeFlips = 0;              ///< of the intrinsic triangulation, all kinds
@@ -48,7 +50,9 @@ struct RiemannMapResult {
 /// Then the normalisation, a Möbius transformation.
 ///
 /// Guarantees: the boundary on the circle in order; the same bits at any thread count.
-/// Not guaranteed: no folded face (→ flippedFaces): discretely conformal maps of meshes with obtuse triangles may fold a few.
+/// Not guaranteed: no folded face (→ flippedFaces). The map is one-to-one on the flow's own Delaunay triangulation; faces
+/// of the input with very obtuse angles, whose edges were flipped away, may fold. Unfolding moves a few vertices around
+/// them; what it cannot undo within 32 rings stays and is counted.
 /// Complexity: that of the flow. When cancelled, the image is empty and the status says so.
 /// @cite springborn2008 @cite nadeem2017
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
