@@ -290,6 +290,71 @@ TEST(YamabeFlow, SaysWhenItRanOutOfIterationsOrWasCancelled) {
   EXPECT_EQ(yamabeFlow(t, target, {}, {}, Execution({}, [] { return true; })).status, Status::Cancelled);
 }
 
+TEST(RicciFlow, OfCirclePackingsFlattensADiskAndAgreesWithYamabeFlowMoreAndMoreAsMeshesGetFiner) {
+  const auto difference = [](int rings) {
+    const TriangleMesh mesh = bumpyDisk(rings, 0.3);
+    Eigen::VectorXd target = Eigen::VectorXd::Zero(mesh.vertexCount());
+    target.tail(6 * rings).setConstant(kFullTurn / (6 * rings));
+    YamabeFlowOptions options;
+    options.metric = ConformalMetric::CirclePacking;
+    const YamabeFlowResult packing = yamabeFlow(intrinsic(mesh), target, {}, options), yamabe = yamabeFlow(intrinsic(mesh), target);
+    EXPECT_EQ(packing.status, Status::Converged);
+    EXPECT_LE((vertexCurvature(packing.triangulation, packing.logScale) - target).cwiseAbs().maxCoeff(), 1.01e-10);
+    // Both layouts, scaled to the same size, turned by their first boundary vertex.
+    const auto layout = [&](const YamabeFlowResult& flow) {
+      const Development development = develop(flow.triangulation, flow.logScale);
+      EXPECT_LT(development.holonomy, 1e-8);
+      Points2 p = development.points.rowwise() - development.points.row(0);
+      const Eigen::RowVector2d first = p.row(mesh.vertexCount() - 1) / p.row(mesh.vertexCount() - 1).squaredNorm();
+      for (Eigen::Index i = 0; i < p.rows(); ++i) {
+        p.row(i) = Eigen::RowVector2d(p.row(i).dot(first), p(i, 1) * first[0] - p(i, 0) * first[1]);
+      }
+      return p;
+    };
+    return (layout(packing) - layout(yamabe)).norm() / std::sqrt(static_cast<double>(mesh.vertexCount()));
+  };
+  const double coarse = difference(8), fine = difference(16);
+  EXPECT_LT(fine, 1e-2);
+  EXPECT_GT(coarse / fine, 2);
+}
+
+TEST(RicciFlow, ConvergesForBothChoicesOfRadiiOnGoodTriangles) {
+  for (const PackingRadii radii : {PackingRadii::Tangent, PackingRadii::Circumradius}) {
+    const IntrinsicTriangulation t = intrinsic(bumpyDisk(12, 0.2));
+    Eigen::VectorXd target = Eigen::VectorXd::Zero(t.vertexCount());
+    target.tail(72).setConstant(kFullTurn / 72);
+    YamabeFlowOptions options;
+    options.metric = ConformalMetric::CirclePacking;
+    options.radii = radii;
+    const YamabeFlowResult flow = yamabeFlow(t, target, {}, options);
+    EXPECT_EQ(flow.status, Status::Converged);
+    EXPECT_EQ(flow.degenerateFaces, 0);
+  }
+}
+
+TEST(RicciFlow, SaysHowManyFacesDegenerateWhereItStalls) {
+  // Random lengths and curvatures: overlapping circles run out of triangles; vertex scaling solves every one (see above).
+  int stalled = 0, degenerate = 0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const IntrinsicTriangulation t = withRandomLengths(diskMesh(4), seed);
+    YamabeFlowOptions options;
+    options.metric = ConformalMetric::CirclePacking;
+    options.radii = PackingRadii::Circumradius;
+    const YamabeFlowResult flow = yamabeFlow(t, randomTarget(t, 1, 100 + seed), {}, options);
+    if (flow.status == Status::Converged) {
+      EXPECT_LE(flow.residual, 1e-10);
+      continue;
+    }
+    ++stalled;
+    EXPECT_EQ(flow.status, Status::Stalled);
+    EXPECT_GT(flow.residual, 1e-10);
+    EXPECT_TRUE(flow.logScale.allFinite());
+    degenerate += flow.degenerateFaces;
+  }
+  EXPECT_GT(stalled, 0);
+  EXPECT_GT(degenerate, 0);
+}
+
 TEST(BoundaryCircle, InscribesPolygonsWithTheCentreInsideAndOutside) {
   Eigen::VectorXd sides(4);
   const double radius = 2.5;

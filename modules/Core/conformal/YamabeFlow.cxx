@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "Core/base/Error.h"
-#include "Core/conformal/ScaledMetric.h"
+#include "Core/conformal/CirclePacking.h"
+#include "Core/conformal/MovingMetric.h"
 
 namespace authalic {
 namespace {
@@ -45,10 +47,10 @@ class Flow {
       : options_(options),
         execution_(execution),
         originalVertices_(static_cast<int>(target.size())),
-        metric_(std::move(triangulation), options.solver, execution),
         circles_(std::move(circles)),
         target_(target),
         u_(Eigen::VectorXd::Zero(target.size())) {
+    start(std::move(triangulation));
     moveTo(u_);
     record_ = residual_.norm();
   }
@@ -56,15 +58,25 @@ class Flow {
   void run(YamabeFlowResult& result);
 
  private:
+  void start(IntrinsicTriangulation triangulation) {
+    if (options_.metric == ConformalMetric::VertexScaling) {
+      metric_ = std::make_unique<VertexScaling>(std::move(triangulation), options_.solver, execution_);
+    } else {
+      auto packing = std::make_unique<CirclePacking>(std::move(triangulation), options_.radii, options_.solver,
+                                                     execution_);
+      u_ = packing->logRadii();
+      metric_ = std::move(packing);
+    }
+  }
   /// Evaluate at u; outer circles keep their curvature when they are frozen.
   void moveTo(const Eigen::VectorXd& u, bool freezeOuter = false) {
-    metric_.moveTo(u);
+    metric_->moveTo(u);
     for (BoundaryCircle& circle : circles_) {
       if (freezeOuter && circle.outer()) continue;
-      circle.update(metric_.triangulation(), u);
+      circle.update(metric_->triangulation(), u);
       circle.setCurvature(target_);
     }
-    residual_ = target_ - metric_.curvature();
+    residual_ = target_ - metric_->curvature();
   }
   [[nodiscard]] double worst() const { return residual_.cwiseAbs().maxCoeff(); }
 
@@ -79,18 +91,18 @@ class Flow {
   const YamabeFlowOptions& options_;
   const Execution& execution_;
   int originalVertices_;
-  ScaledMetric metric_;
+  std::unique_ptr<MovingMetric> metric_;
   std::vector<BoundaryCircle> circles_;
   Eigen::VectorXd target_, u_, residual_, bestScale_;
   double record_ = 0;
   double best_ = 1e300;  // least max |K − K̄|, and the steps since
   int sinceBest_ = 0;
-  bool hindered_ = false;  // the last step met a face at the boundary that was no triangle
+  int hindered_ = 0;  // faces that were no triangles on the way of the last step
 };
 
 // (L − ∂K̄/∂u) v.
 Eigen::VectorXd Flow::multiply(const Eigen::VectorXd& v, bool withOuter) const {
-  Eigen::VectorXd product = metric_.multiply(v);
+  Eigen::VectorXd product = metric_->multiply(v);
   for (const BoundaryCircle& circle : circles_) {
     if (withOuter || !circle.outer()) circle.addDerivative(v, -1, product);
   }
@@ -100,7 +112,7 @@ Eigen::VectorXd Flow::multiply(const Eigen::VectorXd& v, bool withOuter) const {
 // L δ = r, or conjugate gradients with L as preconditioner where K̄ depends on u. The derivatives of circles move only
 // the lowest few modes of each loop: a handful of steps. Negative curvature ends it.
 Eigen::VectorXd Flow::direction(bool withOuter) const {
-  Eigen::VectorXd first = metric_.solve(residual_);
+  Eigen::VectorXd first = metric_->solve(residual_);
   first.array() -= first.mean();  // u keeps its sum of 0
   if (circles_.empty()) return first;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(first.size()), r = residual_, z = first, p = z;
@@ -112,7 +124,7 @@ Eigen::VectorXd Flow::direction(bool withOuter) const {
     if (!(bend > 1e-3 * rz)) break;
     x += rz / bend * p;
     r -= rz / bend * product;
-    z = metric_.solve(r);
+    z = metric_->solve(r);
     z.array() -= z.mean();
     const double next = r.dot(z);
     p = z + next / rz * p;
@@ -130,7 +142,7 @@ double Flow::takeRecordStep(const Eigen::VectorXd& delta) {
   if (longestStep(delta) < 1) return 0;
   moveTo(u_ + delta);
   const double norm = residual_.norm();
-  if (!(norm <= kRecordFactor * record_) || metric_.degenerateFaces() > 0) return 0;
+  if (!(norm <= kRecordFactor * record_) || metric_->degenerateFaces() > 0) return 0;
   record_ = norm;
   u_ += delta;
   return 1;
@@ -140,16 +152,16 @@ double Flow::takeRecordStep(const Eigen::VectorXd& delta) {
 // convex bound of the true one that touches it at u.
 double Flow::takeDescentStep(const Eigen::VectorXd& delta, double before) {
   double step = longestStep(delta);
-  hindered_ = false;
+  hindered_ = 0;
   while (step > kSmallestStep) {
     moveTo(u_ + step * delta, true);
-    const bool triangles = metric_.degenerateFaces() == 0;
+    const bool triangles = metric_->degenerateFaces() == 0;
+    if (!triangles) hindered_ = metric_->degenerateFaces();
     const double slope = -delta.dot(residual_);
     if (slope <= 1e-4 * before && triangles) {
       u_ += step * delta;
       return step;
     }
-    hindered_ = hindered_ || !triangles;
     const double secant = slope > before ? step * before / (before - slope) : 0.5 * step;
     step = std::clamp(secant, 0.1 * step, triangles ? 0.9 * step : 0.5 * step);
   }
@@ -157,10 +169,11 @@ double Flow::takeDescentStep(const Eigen::VectorXd& delta, double before) {
 }
 
 double Flow::takeStep() {
-  metric_.factorize();
+  metric_->settle(u_);
+  metric_->factorize();
   const Eigen::VectorXd newton = direction(true);
   const Eigen::VectorXd residual = residual_;
-  hindered_ = false;
+  hindered_ = 0;
   if (takeRecordStep(newton) > 0) return 1;
   if (circles_.empty()) {
     residual_ = residual;
@@ -175,8 +188,9 @@ double Flow::takeStep() {
 
 // Split the boundary edges that see an angle above 100° at u. Returns how many there were.
 int Flow::splitBoundary() {
+  if (options_.metric != ConformalMetric::VertexScaling) return 0;
   constexpr double kCosine = -0.17364817766693;  // of 100°
-  IntrinsicTriangulation triangulation = metric_.takeTriangulation();
+  IntrinsicTriangulation triangulation = metric_->takeTriangulation();
   const int vertices = triangulation.vertexCount(), halfEdges = triangulation.halfEdgeCount();
   std::vector<int> tails;
   for (int h = 0; h < halfEdges; ++h) {
@@ -201,7 +215,7 @@ int Flow::splitBoundary() {
     }
     circle = BoundaryCircle(triangulation, loop, circle.outer());
   }
-  metric_ = ScaledMetric(std::move(triangulation), options_.solver, execution_);
+  start(std::move(triangulation));
   moveTo(u_);
   record_ = std::min(record_, residual_.norm());
   return static_cast<int>(tails.size());
@@ -228,12 +242,12 @@ void Flow::run(YamabeFlowResult& result) {
     if (result.status == Status::NotRun && atFloor()) result.status = Status::Stalled;
     if (result.status != Status::NotRun) break;
     execution_.report(std::min(0.9, 0.1 * result.iterations), "curvature flow");
-    YamabeIteration iteration{worst(), 0, metric_.flips()};
+    YamabeIteration iteration{worst(), 0, metric_->flips()};
     iteration.step = takeStep();
-    iteration.flips = metric_.flips() - iteration.flips;
+    iteration.flips = metric_->flips() - iteration.flips;
     result.flips += iteration.flips;
     result.history.push_back(iteration);
-    if (iteration.step > 0 && !hindered_) continue;
+    if (iteration.step > 0 && hindered_ == 0) continue;
     if (splitBoundary() == 0 && iteration.step == 0) {
       result.status = Status::Stalled;
       break;
@@ -244,11 +258,12 @@ void Flow::run(YamabeFlowResult& result) {
     moveTo(u_);
   }
   result.residual = worst();
+  result.degenerateFaces = result.status == Status::Stalled ? hindered_ : 0;
   result.addedVertices = static_cast<int>(u_.size()) - originalVertices_;
-  result.curvature = metric_.curvature();
+  result.curvature = metric_->curvature();
   result.target = target_;
   result.logScale = u_;
-  result.triangulation = metric_.takeTriangulation();
+  result.triangulation = metric_->takeTriangulation();
 }
 
 }  // namespace
@@ -265,6 +280,10 @@ void YamabeFlowOptions::validate() const {
     throw InvalidArgument("A solver that is part of this build is required, but " +
                           std::string(solverBackendName(solver)) + " was not built in.");
   }
+}
+
+const char* conformalMetricName(ConformalMetric metric) noexcept {
+  return metric == ConformalMetric::VertexScaling ? "vertex-scaling" : "circle-packing";
 }
 
 Eigen::VectorXd vertexCurvature(const IntrinsicTriangulation& triangulation, const Eigen::VectorXd& u) {

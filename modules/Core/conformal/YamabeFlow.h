@@ -14,7 +14,21 @@
 
 namespace authalic {
 
+/// How lengths follow the factors u.
+enum class ConformalMetric {
+  VertexScaling,  ///< Yamabe flow: l_ij e^{(u_i + u_j)/2}; a solution exists and is found for every admissible curvature
+  CirclePacking,  ///< Ricci flow: circles of radius e^u at constant inversive distance @cite su2016; a solution need not exist
+};
+
+/// First radii of a circle packing, the least over the faces ijk around vertex i.
+enum class PackingRadii {
+  Tangent,       ///< (l_ij + l_ik − l_jk)/2: circles of neighbours never overlap (I ≥ 1), faces keep together @cite luo2011
+  Circumradius,  ///< of the face: circles overlap; degenerates where triangles are poor @cite su2016
+};
+
 struct YamabeFlowOptions {
+  ConformalMetric metric = ConformalMetric::VertexScaling;
+  PackingRadii radii = PackingRadii::Tangent;  ///< circle packing only
   double tolerance = 1e-10;  ///< stop when max |K − K̄| falls below it, radians, > 0
   int maxIterations = 200;   ///< Newton steps, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
@@ -32,7 +46,8 @@ struct YamabeIteration {
 
 struct YamabeFlowResult {
   IntrinsicTriangulation triangulation;  ///< Delaunay at logScale; n + addedVertices vertices
-  Eigen::VectorXd logScale;              ///< u, Σ u = 0; edge ij has length l_ij e^{(u_i + u_j)/2}
+  Eigen::VectorXd logScale;              ///< u; edge ij has the length e^{λ_ij + (u_i + u_j)/2}. Vertex scaling: Σ u = 0; circle
+                                         ///< packing: ln of the radii
   Eigen::VectorXd curvature;             ///< K reached
   Eigen::VectorXd target;                ///< K̄, with what the circles asked for in the end
   int addedVertices = 0;                 ///< vertices n, n+1, … by which boundary edges were split
@@ -41,9 +56,13 @@ struct YamabeFlowResult {
   double residual = 0;                   ///< max |K − K̄|
   int initialFlips = 0;                  ///< Euclidean flips to the Delaunay triangulation of the surface itself
   int flips = 0;                         ///< flips by Ptolemy's rule on the way
+  int degenerateFaces = 0;               ///< Stalled: faces that lost their triangle inequality in the last steps tried
   std::vector<YamabeIteration> history;
   double seconds = 0;
 };
+
+/// "vertex-scaling", "circle-packing".
+[[nodiscard]] const char* conformalMetricName(ConformalMetric metric) noexcept;
 
 /// Curvature of every vertex at u: K_i = 2π − Σ θ inside, π − Σ θ on the boundary (geodesic curvature); 0 where there is
 /// no face. Σ K = 2π χ.
@@ -64,6 +83,10 @@ struct YamabeFlowResult {
 /// Boundary edges are not flipped, so that the boundary of the result runs along them. Where a face at the boundary stands
 /// in the way, because it would lose its triangle inequality, its boundary edge is split at the foot of the altitude; the
 /// new vertex asks for K̄ = 0 (or its part of the circle).
+///
+/// **Circle packing** replaces lengths and L by those of circles at constant inversive distance; edges are flipped with the
+/// Euclidean rule to the power-Delaunay triangulation after every step. Its energy is convex where the faces are
+/// triangles; nothing keeps them so: the flow stalls where steps of every length break one (degenerateFaces).
 ///
 /// @param triangulation  connected, n vertices
 /// @param target         n: K̄; at vertices of circles it is not read

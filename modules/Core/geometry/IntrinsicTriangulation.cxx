@@ -102,6 +102,11 @@ Faces IntrinsicTriangulation::faces() const {
   return faces;
 }
 
+void IntrinsicTriangulation::setLogLength(int h, double logLength) {
+  logLength_[static_cast<std::size_t>(h)] = logLength;
+  if (opposite(h) >= 0) logLength_[static_cast<std::size_t>(opposite(h))] = logLength;
+}
+
 FaceShape IntrinsicTriangulation::shape(int f, const Eigen::VectorXd& u) const {
   const int h0 = first(f), h1 = next(h0), h2 = next(h1);
   const double u0 = u[tail(h0)], u1 = u[tail(h1)], u2 = u[tail(h2)];

@@ -72,6 +72,9 @@ class IntrinsicTriangulation {
     return logLength(h) + 0.5 * (u[tail(h)] + u[head(h)]);
   }
 
+  /// Replace the λ of u = 0 of an edge, on both of its sides.
+  void setLogLength(int h, double logLength);
+
   /// Angles and cotangents of face f, in the order first, next, previous.
   [[nodiscard]] FaceShape shape(int face, const Eigen::VectorXd& u) const;
   /// The cosine opposite to h as a rational function of the lengths, also where no triangle has such sides.

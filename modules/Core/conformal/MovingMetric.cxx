@@ -1,64 +1,68 @@
-#include "Core/conformal/ScaledMetric.h"
+#include "Core/conformal/MovingMetric.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "Core/base/Error.h"
 
 namespace authalic {
+namespace {
 
-ScaledMetric::ScaledMetric(IntrinsicTriangulation triangulation, SolverBackend backend, const Execution& execution)
+constexpr int kHeld = -1, kNoFace = -2;
+constexpr double kLeastWeight = 1e-3;  // in place of negative ones
+
+}  // namespace
+
+MovingMetric::MovingMetric(IntrinsicTriangulation triangulation, SolverBackend backend, const Execution& execution)
     : triangulation_(std::move(triangulation)),
-      execution_(&execution),
+      execution_(execution),
       angles_(static_cast<std::size_t>(triangulation_.halfEdgeCount()), 0.0),
-      cotangents_(angles_),
-      unknown_(static_cast<std::size_t>(triangulation_.vertexCount()), -1),
+      weights_(angles_),
+      triangle_(static_cast<std::size_t>(triangulation_.faceCount()), 1),
+      unknown_(static_cast<std::size_t>(triangulation_.vertexCount()), kNoFace),
       solver_(backend) {
   for (int h = 0; h < triangulation_.halfEdgeCount(); ++h) unknown_[static_cast<std::size_t>(triangulation_.tail(h))] = 0;
-  int next = -1;  // the first vertex with a face is held
+  int next = kHeld;  // the first vertex with a face
   for (int& id : unknown_) {
     if (id == 0) id = next++;
   }
 }
 
-void ScaledMetric::moveTo(const Eigen::VectorXd& u) {
-  flips_ += triangulation_.makeDelaunay(u, FlipRule::Ptolemy, *execution_);
-  const auto faces = static_cast<std::size_t>(triangulation_.faceCount());
-  parallelFor(faces, *execution_, [&](std::size_t begin, std::size_t end) {
+void MovingMetric::moveTo(const Eigen::VectorXd& u) {
+  changeLengths(u);
+  parallelFor(triangle_.size(), execution_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      const FaceShape shape = triangulation_.shape(static_cast<int>(f), u);
-      int h = triangulation_.first(static_cast<int>(f));
-      for (int k = 0; k < 3; ++k, h = triangulation_.next(h)) {
+      const int face = static_cast<int>(f);
+      const FaceShape shape = triangulation_.shape(face, u);
+      const std::array<double, 3> weight = shape.triangle ? weights(face, shape, u) : std::array<double, 3>{};
+      triangle_[f] = shape.triangle;
+      int h = triangulation_.first(face);
+      for (std::size_t k = 0; k < 3; ++k, h = triangulation_.next(h)) {
         angles_[static_cast<std::size_t>(h)] = shape.angle[k];
-        cotangents_[static_cast<std::size_t>(h)] = shape.triangle ? shape.cotangent[k] : NAN;
+        weights_[static_cast<std::size_t>(h)] = weight[k];
       }
     }
   });
+  degenerateFaces_ = static_cast<int>(std::count(triangle_.begin(), triangle_.end(), 0));
   sumCurvature();
 }
 
-void ScaledMetric::sumCurvature() {
+void MovingMetric::sumCurvature() {
   const int n = triangulation_.vertexCount();
   curvature_.resize(n);
   for (int v = 0; v < n; ++v) curvature_[v] = triangulation_.onBoundary()[static_cast<std::size_t>(v)] ? M_PI : 2 * M_PI;
-  degenerateFaces_ = 0;
-  std::vector<char> used(static_cast<std::size_t>(n), 0);
   for (int f = 0; f < triangulation_.faceCount(); ++f) {
     const int h0 = triangulation_.first(f), h1 = triangulation_.next(h0), h2 = triangulation_.next(h1);
-    for (const auto& [edge, apex] : {std::pair{h0, h2}, std::pair{h1, h0}, std::pair{h2, h1}}) {
-      curvature_[triangulation_.tail(apex)] -= angles_[static_cast<std::size_t>(edge)];
-      used[static_cast<std::size_t>(triangulation_.tail(apex))] = 1;
-    }
-    if (std::isnan(cotangents_[static_cast<std::size_t>(h0)])) {
-      ++degenerateFaces_;
-      for (const int h : {h0, h1, h2}) cotangents_[static_cast<std::size_t>(h)] = 0;
-    }
+    curvature_[triangulation_.tail(h2)] -= angles_[static_cast<std::size_t>(h0)];
+    curvature_[triangulation_.tail(h0)] -= angles_[static_cast<std::size_t>(h1)];
+    curvature_[triangulation_.tail(h1)] -= angles_[static_cast<std::size_t>(h2)];
   }
   for (int v = 0; v < n; ++v) {
-    if (!used[static_cast<std::size_t>(v)]) curvature_[v] = 0;
+    if (unknown_[static_cast<std::size_t>(v)] == kNoFace) curvature_[v] = 0;
   }
 }
 
-void ScaledMetric::findPattern() {
+void MovingMetric::findPattern() {
   if (flipsOfPattern_ == flips_) return;
   flipsOfPattern_ = flips_;
   edges_.clear();
@@ -82,21 +86,29 @@ void ScaledMetric::findPattern() {
   solver_.analyze(assembly_->matrix());
 }
 
-void ScaledMetric::factorize() {
+void MovingMetric::factorize() {
   findPattern();
   elements_.resize(3 * edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const int g = triangulation_.opposite(edges_[e]);
-    const double weight =
-        0.5 * (cotangents_[static_cast<std::size_t>(edges_[e])] + (g < 0 ? 0 : cotangents_[static_cast<std::size_t>(g)]));
+    const double weight = weights_[static_cast<std::size_t>(edges_[e])] + (g < 0 ? 0 : weights_[static_cast<std::size_t>(g)]);
     elements_[3 * e] = elements_[3 * e + 2] = weight;
     elements_[3 * e + 1] = -weight;
   }
-  assembly_->assemble(elements_);
-  solver_.factorize(assembly_->matrix());
+  try {
+    solver_.factorize(assembly_->assemble(elements_));
+  } catch (const SolverError&) {
+    // Negative weights that no flip takes away: without them L is definite, and its directions still lead downhill.
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const double weight = elements_[3 * e] > kLeastWeight ? elements_[3 * e] : kLeastWeight;
+      elements_[3 * e] = elements_[3 * e + 2] = weight;
+      elements_[3 * e + 1] = -weight;
+    }
+    solver_.factorize(assembly_->assemble(elements_));
+  }
 }
 
-Eigen::VectorXd ScaledMetric::solve(const Eigen::VectorXd& b) const {
+Eigen::VectorXd MovingMetric::solve(const Eigen::VectorXd& b) const {
   Eigen::VectorXd reduced(assembly_->matrix().rows()), x = Eigen::VectorXd::Zero(b.size());
   for (Eigen::Index v = 0; v < b.size(); ++v) {
     if (const int id = unknown_[static_cast<std::size_t>(v)]; id >= 0) reduced[id] = b[v];
@@ -108,7 +120,7 @@ Eigen::VectorXd ScaledMetric::solve(const Eigen::VectorXd& b) const {
   return x;
 }
 
-Eigen::VectorXd ScaledMetric::multiply(const Eigen::VectorXd& x) const {
+Eigen::VectorXd MovingMetric::multiply(const Eigen::VectorXd& x) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(x.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto [i, j] = ends_[e];
@@ -117,6 +129,14 @@ Eigen::VectorXd ScaledMetric::multiply(const Eigen::VectorXd& x) const {
     result[j] -= flow;
   }
   return result;
+}
+
+void VertexScaling::changeLengths(const Eigen::VectorXd& u) {
+  flips_ += triangulation_.makeDelaunay(u, FlipRule::Ptolemy, execution_);
+}
+
+std::array<double, 3> VertexScaling::weights(int /*face*/, const FaceShape& shape, const Eigen::VectorXd& /*u*/) const {
+  return {0.5 * shape.cotangent[0], 0.5 * shape.cotangent[1], 0.5 * shape.cotangent[2]};
 }
 
 }  // namespace authalic
