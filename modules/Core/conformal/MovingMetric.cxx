@@ -9,7 +9,7 @@ namespace authalic {
 namespace {
 
 constexpr int kHeld = -1, kNoFace = -2;
-constexpr double kLeastWeight = 1e-3;  // in place of negative ones
+constexpr double kLeastWeight = 1e-3, kMostWeight = 1e9;  // in place of negative and boundless ones
 
 }  // namespace
 
@@ -100,7 +100,7 @@ void MovingMetric::factorize() {
   } catch (const SolverError&) {
     // Negative weights that no flip takes away: without them L is definite, and its directions still lead downhill.
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const double weight = elements_[3 * e] > kLeastWeight ? elements_[3 * e] : kLeastWeight;
+      const double weight = elements_[3 * e] > kLeastWeight ? std::min(elements_[3 * e], kMostWeight) : kLeastWeight;
       elements_[3 * e] = elements_[3 * e + 2] = weight;
       elements_[3 * e + 1] = -weight;
     }
