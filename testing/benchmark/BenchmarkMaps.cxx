@@ -6,6 +6,7 @@
 #include "Core/distortion/Distortion.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/initial/LeastSquaresConformalMap.h"
+#include "Core/initial/SymmetricDirichletMap.h"
 #include "support/OffFile.h"
 #include "support/SharedData.h"
 
@@ -14,6 +15,7 @@
 #include <igl/harmonic.h>
 #include <igl/lscm.h>
 #include <igl/map_vertices_to_circle.h>
+#include <igl/slim.h>
 #endif
 
 using namespace authalic;
@@ -50,7 +52,44 @@ void leastSquaresConformal(benchmark::State& state) {
 BENCHMARK(leastSquaresConformal)
     ->ArgsProduct({{0, 1, 2, 3}, {0, 1}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
+Points2 tutte(const DiskMesh& disk) {
+  BarycentricMapOptions options;
+  options.weights = BarycentricWeights::Uniform;
+  return barycentricMap(disk, options).image;
+}
+
+void symmetricDirichlet(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  const Points2 start = tutte(disk);
+  for (auto _ : state) {
+    const SymmetricDirichletMapResult result = symmetricDirichletMap(disk, start);
+    state.counters["iterations"] = result.iterations;
+    state.counters["E"] = result.energy;
+    state.counters["folds"] = result.flippedFaces;
+  }
+  state.SetLabel(kMeshes[state.range(0)]);
+}
+BENCHMARK(symmetricDirichlet)->DenseRange(0, 3)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime();
+
 #ifdef AUTHALIC_HAVE_LIBIGL
+void libiglSlim(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  const Eigen::MatrixXd vertices = disk.mesh().points();
+  const Eigen::MatrixXi faces = disk.mesh().faces();
+  Eigen::MatrixXd start = tutte(disk);
+  for (auto _ : state) {
+    igl::SLIMData data;
+    Eigen::VectorXi pins;
+    Eigen::MatrixXd places;
+    igl::slim_precompute(vertices, faces, start, data, igl::MappingEnergyType::SYMMETRIC_DIRICHLET, pins, places, 0);
+    igl::slim_solve(data, 20);
+    const Points2 image = data.V_o.leftCols(2);
+    state.counters["E"] = measureDistortion(disk.mesh(), image).summary.symmetricDirichlet;
+  }
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " libigl SLIM, 20 iterations");
+}
+BENCHMARK(libiglSlim)->DenseRange(0, 3)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime();
+
 void libiglLeastSquaresConformal(benchmark::State& state) {
   const Eigen::MatrixXd vertices = mesh(state.range(0)).mesh().points();
   const Eigen::MatrixXi faces = mesh(state.range(0)).mesh().faces();
