@@ -92,7 +92,8 @@ void correctPolarPart(const SphereMesh& sphere, const Eigen::VectorXd& mass, dou
 double squaredIrregularity(const TriangleMesh& surface, int f) {
   std::array<double, 3> l{};
   for (int k = 0; k < 3; ++k) l[at(k)] = (surface.corner(f, (k + 1) % 3) - surface.corner(f, k)).squaredNorm();
-  const double area = (surface.corner(f, 1) - surface.corner(f, 0)).cross(surface.corner(f, 2) - surface.corner(f, 0)).norm();
+  const Eigen::Vector3d a = surface.corner(f, 0);
+  const double area = (surface.corner(f, 1) - a).cross(surface.corner(f, 2) - a).norm();
   return area > 0 ? (l[0] + l[1] + l[2]) / area : std::numeric_limits<double>::infinity();
 }
 

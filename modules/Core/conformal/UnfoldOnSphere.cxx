@@ -48,7 +48,9 @@ std::vector<std::vector<int>> patchesOf(const SphereMesh& sphere, const std::vec
   std::vector<char> seen(at(static_cast<int>(faces.rows())), 0);
   std::vector<std::vector<int>> patches;
   for (int first = 0; first < static_cast<int>(faces.rows()); ++first) {
-    const auto touches = [&](int f) { return marked[at(faces(f, 0))] || marked[at(faces(f, 1))] || marked[at(faces(f, 2))]; };
+    const auto touches = [&](int f) {
+      return marked[at(faces(f, 0))] || marked[at(faces(f, 1))] || marked[at(faces(f, 2))];
+    };
     if (seen[at(first)] || !touches(first)) continue;
     std::vector<int> patch{first};
     seen[at(first)] = 1;
@@ -100,7 +102,8 @@ class Patch {
   bool embed() {
     const int before = folds();
     const Points2 old = plane_;
-    const MeanValueWeights equal{HalfEdgeWeights::Constant(faces_.rows(), 3, 1), HalfEdgeWeights::Constant(faces_.rows(), 3, 1)};
+    const HalfEdgeWeights ones = HalfEdgeWeights::Constant(faces_.rows(), 3, 1);
+    const MeanValueWeights equal{ones, ones};
     Points2 best = old;
     int fewest = before;
     for (const MeanValueWeights& weights : {weights_, meanValueWeights(old, faces_), equal}) {

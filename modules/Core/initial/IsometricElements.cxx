@@ -102,7 +102,7 @@ double IsometricElements::bestScale(const Points2& image) const {
 
 double IsometricElements::linearise(const Points2& image, bool projected, const Execution& execution) {
   parallelFor(static_cast<std::size_t>(faces_.rows()), execution, [&](std::size_t begin, std::size_t end) {
-    for (auto f = static_cast<Eigen::Index>(begin); f < static_cast<Eigen::Index>(end); ++f) lineariseFace(image, projected, f);
+    for (std::size_t f = begin; f < end; ++f) lineariseFace(image, projected, static_cast<Eigen::Index>(f));
   }, kChunk);
   return sumOf(energies_);
 }

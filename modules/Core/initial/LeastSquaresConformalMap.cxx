@@ -129,7 +129,8 @@ class SpectralProblem {
     double arc = 0;
     for (const int v : loop_) {
       arc += length_[v];
-      for (Eigen::Index k = 0; k < block_.cols(); ++k) block_(v, k) = std::polar(1.0, 2 * M_PI * static_cast<double>(k + 1) * arc);
+      const Complex once = std::polar(1.0, 2 * M_PI * arc);
+      for (Eigen::Index k = 0; k < block_.cols(); ++k) block_(v, k) = k == 0 ? once : block_(v, k - 1) * once;
     }
   }
 

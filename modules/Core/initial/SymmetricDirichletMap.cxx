@@ -47,7 +47,9 @@ class NewtonSystem {
     }
     for (double damping = 0; !whole_ && !factorises(elements, damping);) {
       damping = damping == 0 ? 1e-12 : 100 * damping;
-      if (damping > 1) throw SolverError("A definite Hessian is required, but it stays singular; look for degenerate faces.");
+      if (damping > 1) {
+        throw SolverError("A definite Hessian is required, but it stays singular; look for degenerate faces.");
+      }
     }
     const Points2 gradient = elements.gradient();
     Eigen::VectorXd right(count_);
