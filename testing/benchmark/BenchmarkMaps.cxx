@@ -5,13 +5,17 @@
 #include "Core/authalic/DiscreteLieFlow.h"
 #include "Core/distortion/Distortion.h"
 #include "Core/initial/BarycentricMap.h"
+#include "Core/initial/LeastSquaresConformalMap.h"
+#include "Core/initial/SymmetricDirichletMap.h"
 #include "support/OffFile.h"
 #include "support/SharedData.h"
 
 #ifdef AUTHALIC_HAVE_LIBIGL
 #include <igl/boundary_loop.h>
 #include <igl/harmonic.h>
+#include <igl/lscm.h>
 #include <igl/map_vertices_to_circle.h>
+#include <igl/slim.h>
 #endif
 
 using namespace authalic;
@@ -39,7 +43,70 @@ void barycentric(benchmark::State& state) {
 }
 BENCHMARK(barycentric)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
+void leastSquaresConformal(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  LeastSquaresConformalMapOptions options;
+  options.pins = static_cast<ConformalPins>(state.range(1));
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " " + conformalPinsName(options.pins));
+  for (auto _ : state) benchmark::DoNotOptimize(leastSquaresConformalMap(disk, options));
+}
+BENCHMARK(leastSquaresConformal)
+    ->ArgsProduct({{0, 1, 2, 3}, {0, 1}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+Points2 tutte(const DiskMesh& disk) {
+  BarycentricMapOptions options;
+  options.weights = BarycentricWeights::Uniform;
+  return barycentricMap(disk, options).image;
+}
+
+void symmetricDirichlet(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  const Points2 start = tutte(disk);
+  for (auto _ : state) {
+    const SymmetricDirichletMapResult result = symmetricDirichletMap(disk, start);
+    state.counters["iterations"] = result.iterations;
+    state.counters["E"] = result.energy;
+    state.counters["folds"] = result.flippedFaces;
+  }
+  state.SetLabel(kMeshes[state.range(0)]);
+}
+BENCHMARK(symmetricDirichlet)->DenseRange(0, 3)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime();
+
 #ifdef AUTHALIC_HAVE_LIBIGL
+void libiglSlim(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  const Eigen::MatrixXd vertices = disk.mesh().points();
+  const Eigen::MatrixXi faces = disk.mesh().faces();
+  Eigen::MatrixXd start = tutte(disk);
+  for (auto _ : state) {
+    igl::SLIMData data;
+    Eigen::VectorXi pins;
+    Eigen::MatrixXd places;
+    igl::slim_precompute(vertices, faces, start, data, igl::MappingEnergyType::SYMMETRIC_DIRICHLET, pins, places, 0);
+    igl::slim_solve(data, 20);
+    const Points2 image = data.V_o.leftCols(2);
+    state.counters["E"] = measureDistortion(disk.mesh(), image).summary.symmetricDirichlet;
+  }
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " libigl SLIM, 20 iterations");
+}
+BENCHMARK(libiglSlim)->DenseRange(0, 3)->Unit(benchmark::kSecond)->Iterations(1)->MeasureProcessCPUTime();
+
+void libiglLeastSquaresConformal(benchmark::State& state) {
+  const Eigen::MatrixXd vertices = mesh(state.range(0)).mesh().points();
+  const Eigen::MatrixXi faces = mesh(state.range(0)).mesh().faces();
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " libigl LSCM");
+  for (auto _ : state) {
+    Eigen::VectorXi loop, pins(2);
+    Eigen::MatrixXd places(2, 2), image;
+    igl::boundary_loop(faces, loop);
+    pins << loop[0], loop[loop.size() / 2];
+    places << 0, 0, 1, 0;
+    igl::lscm(vertices, faces, pins, places, image);
+    benchmark::DoNotOptimize(image);
+  }
+}
+BENCHMARK(libiglLeastSquaresConformal)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
 void libiglHarmonic(benchmark::State& state) {
   const Eigen::MatrixXd vertices = mesh(state.range(0)).mesh().points();
   const Eigen::MatrixXi faces = mesh(state.range(0)).mesh().faces();
