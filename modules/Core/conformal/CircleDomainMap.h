@@ -2,12 +2,14 @@
 /// Conformal maps of surfaces with several boundary loops onto the unit disk without round holes.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "Core/base/Execution.h"
 #include "Core/base/Status.h"
 #include "Core/conformal/DiskNormalisation.h"
 #include "Core/conformal/YamabeFlow.h"
+#include "Core/geometry/CommonRefinement.h"
 #include "Core/mesh/PolyAnnulusMesh.h"
 #include "Core/numerics/CircleFit.h"
 
@@ -25,6 +27,7 @@ struct CircleDomainOptions {
   double roundness = 1e-6; ///< Koebe: stop when every loop is a circle to this, relative to its radius, > 0
   int maxRounds = 100;     ///< Koebe: rounds over all loops, ≥ 0
   DiskNormalisation normalisation;
+  bool refine = false;     ///< also return the common refinement, on which nothing folds (road Curvature)
   bool unfold = true;      ///< bulge pockets, re-embed small patches around folded faces (initial/Unfold)
   YamabeFlowOptions flow;
 
@@ -43,6 +46,7 @@ struct CircleDomainResult {
   int flippedBeforeUnfolding = 0;     ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;               ///< faces of the input that are folded in the image
   int pockets = 0;                    ///< pockets bulged into holes, see FoldedPockets
+  std::optional<CommonRefinement> refinement;  ///< when asked for, with the image as it is before unfolding
   int iterations = 0;                 ///< Newton steps, all flows
   int rounds = 0;                     ///< Koebe: rounds over all loops
   int edgeFlips = 0;                  ///< of the intrinsic triangulation, all kinds
@@ -63,7 +67,8 @@ struct CircleDomainResult {
 /// two boundary edges) on an inner circle would lie in the hole and is bulged into it (`pockets`). Not guaranteed: no folded face (→ flippedFaces); that loops of
 /// few vertices stay apart (chords, not arcs, bound the mesh).
 /// Complexity: that of the flow; Koebe: k flows per round. When cancelled, the image is empty and the status says so.
-/// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
+/// @throws InvalidArgument from options, also when a refinement is asked for on the road Koebe or where a boundary edge had to
+///         be split; GeometryError when an edge has no length; SolverError
 [[nodiscard]] CircleDomainResult circleDomainMap(const PolyAnnulusMesh& surface, const CircleDomainOptions& options = {},
                                                  const Execution& execution = {});
 

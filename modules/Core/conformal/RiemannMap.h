@@ -2,12 +2,14 @@
 /// The Riemann map of a disk: conformal onto the unit disk.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "Core/base/Execution.h"
 #include "Core/base/Status.h"
 #include "Core/conformal/DiskNormalisation.h"
 #include "Core/conformal/YamabeFlow.h"
+#include "Core/geometry/CommonRefinement.h"
 #include "Core/mesh/DiskMesh.h"
 
 namespace authalic {
@@ -22,6 +24,7 @@ struct RiemannMapOptions {
   RiemannRoad road = RiemannRoad::Boundary;
   int puncture = -1;  ///< face taken out on the road Puncture, no vertex of it on the boundary; −1 = the one farthest from it
   DiskNormalisation normalisation;
+  bool refine = false;   ///< also return the common refinement, on which nothing folds (road Boundary)
   bool unfold = true;    ///< re-embed small patches around folded faces (initial/Unfold); the boundary stays
   YamabeFlowOptions flow;
 };
@@ -34,6 +37,7 @@ struct RiemannMapResult {
   double roundness = 0;           ///< how far boundary vertices were from the circle, relative, before they were put on it
   int flippedBeforeUnfolding = 0; ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;           ///< faces of the input that are folded in the image
+  std::optional<CommonRefinement> refinement;  ///< when asked for, with the image as it is before unfolding
   int iterations = 0;             ///< Newton steps
   int edgeFlips = 0;              ///< of the intrinsic triangulation, all kinds
   std::vector<YamabeIteration> history;
@@ -55,7 +59,8 @@ struct RiemannMapResult {
 /// them; what it cannot undo within 32 rings stays and is counted.
 /// Complexity: that of the flow. When cancelled, the image is empty and the status says so.
 /// @cite springborn2008 @cite nadeem2017
-/// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
+/// @throws InvalidArgument from options, also when a refinement is asked for on the road Puncture or where a boundary edge had to
+///         be split; GeometryError when an edge has no length; SolverError
 [[nodiscard]] RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options = {},
                                           const Execution& execution = {});
 

@@ -199,6 +199,7 @@ void IntrinsicTriangulation::flip(int h, const Eigen::VectorXd& u, FlipRule rule
     at(winding_, h) = -(winding(ki) + winding(il));  // around face (l → k → i)
     at(winding_, g) = -at(winding_, h);
   }
+  if (!crossings_.empty()) at(crossings_, h) = at(crossings_, g) = flippedCrossings(h);
   at(tail_, h) = tail(lj);
   at(tail_, g) = tail(ki);
   at(logLength_, h) = at(logLength_, g) = length;
@@ -212,6 +213,38 @@ void IntrinsicTriangulation::flip(int h, const Eigen::VectorXd& u, FlipRule rule
   at(face_, jk) = at(face_, lj) = face(g);
   at(first_, face(h)) = h;
   at(first_, face(g)) = g;
+}
+
+void IntrinsicTriangulation::trackCrossings() { crossings_.assign(next_.size(), -1); }
+
+FaceCrossings IntrinsicTriangulation::faceCrossings(int h) const {
+  const int ij = std::max(crossings(h), 0), jk = std::max(crossings(next(h)), 0), ki = std::max(crossings(previous(h)), 0);
+  const auto from = [](int across, int one, int other) { return std::max(0, across - one - other); };
+  const int fromI = from(jk, ij, ki), fromJ = from(ki, ij, jk);
+  FaceCrossings c;
+  c.fromApex = from(ij, jk, ki);
+  c.aroundTail = (std::max(0, ij + ki - jk) - fromJ - c.fromApex) / 2;
+  c.aroundHead = (std::max(0, ij + jk - ki) - fromI - c.fromApex) / 2;
+  return c;
+}
+
+// A tracked edge crosses the new diagonal kl when it cuts off k or l, runs from i or j over the far side, changes sides on
+// its way through ij, or is ij.
+int IntrinsicTriangulation::flippedCrossings(int h) const {
+  const int g = opposite(h);
+  const FaceCrossings above = faceCrossings(h), below = faceCrossings(g);
+  int count = crossings(h) < 0 ? 1 : 0;
+  for (const int half : {next(h), next(g)}) {  // jk and il: around their heads lie k and l; their apices are i and j
+    const FaceCrossings side = faceCrossings(half);
+    count += side.aroundHead + side.fromApex;
+  }
+  for (const int half : {previous(h), previous(g)}) count += faceCrossings(half).fromApex;
+  count += std::max(0, above.aroundTail - below.aroundHead - below.fromApex) +
+           std::max(0, below.aroundHead - above.aroundTail - above.fromApex);
+  // One that runs from k to l through ij is the new diagonal.
+  const int both = std::min(above.aroundTail + above.fromApex, below.aroundHead + below.fromApex) -
+                   std::max(above.aroundTail, below.aroundHead);
+  return both > 0 ? -1 : count;
 }
 
 int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule, const Execution& execution) {
@@ -271,6 +304,7 @@ int IntrinsicTriangulation::splitBoundaryEdge(int h, const Eigen::VectorXd& u) {
   first_[static_cast<std::size_t>(face(h))] = h;
   first_.push_back(mj);
   onBoundary_.push_back(1);
+  crossings_.clear();
   return middle;
 }
 

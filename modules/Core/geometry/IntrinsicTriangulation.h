@@ -30,6 +30,12 @@ enum class FlipRule {
   Euclidean  ///< the distance in the unfolded pair of triangles: keeps the metric
 };
 
+/// How the tracked edges run through a face, seen from one of its half-edges h = ij with the corner k opposite: first along h
+/// from i come those around corner i, then those from k, then those around j.
+struct FaceCrossings {
+  int aroundTail = 0, fromApex = 0, aroundHead = 0;
+};
+
 /// Half-edges with the natural logarithms λ of their lengths. Edges may join a vertex to itself and several edges may
 /// join the same two vertices (a Δ-complex): no face list can say that, half-edges can.
 ///
@@ -101,6 +107,15 @@ class IntrinsicTriangulation {
   /// @return the new vertex
   int splitBoundaryEdge(int h, const Eigen::VectorXd& u);
 
+  /// From now on count how often each edge crosses the edges of the triangulation as it is now: normal coordinates
+  /// @cite gillespie2021. Integers, carried through flips of either kind without rounding.
+  void trackCrossings();
+  /// Crossings of the edge with tracked edges; −1 when it *is* one of them, or when nothing is tracked.
+  [[nodiscard]] int crossings(int h) const { return crossings_.empty() ? -1 : crossings_[static_cast<std::size_t>(h)]; }
+
+  /// How tracked edges cross h inside its face.
+  [[nodiscard]] FaceCrossings faceCrossings(int h) const;
+
   /// Attach an integer to every half-edge with w_(opposite) = −w and Σ w = 0 around each face (a closed 1-form: how often
   /// a path along the edge winds around a hole). Flips carry it along.
   /// @throws InvalidArgument when the numbers are not such a form
@@ -110,12 +125,13 @@ class IntrinsicTriangulation {
 
  private:
   void connect(const SurfaceTopology& topology);
+  [[nodiscard]] int flippedCrossings(int h) const;
   [[nodiscard]] double flippedLogLength(int h, const Eigen::VectorXd& u, FlipRule rule) const;
 
   int vertexCount_ = 0;
   std::vector<int> tail_, next_, opposite_, face_, first_;
   std::vector<double> logLength_;
-  std::vector<int> winding_;
+  std::vector<int> winding_, crossings_;
   std::vector<char> onBoundary_;
 };
 
