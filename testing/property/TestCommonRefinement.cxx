@@ -15,7 +15,8 @@ using namespace authalic::testing;
 
 namespace {
 
-// Every face of the surface is the sum of its parts, the refinement has the surface's topology, and no part is folded.
+// Every face of the surface is the sum of its parts, the refinement has the surface's topology, and no part
+// is folded.
 void expectRefines(const TriangleMesh& surface, const CommonRefinement& refinement) {
   const Eigen::VectorXd areas = faceAreas(surface), parts = faceAreas(refinement.mesh);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(areas.size());
@@ -33,7 +34,8 @@ void expectRefines(const TriangleMesh& surface, const CommonRefinement& refineme
   EXPECT_EQ(fine.boundaryLoops(), coarse.boundaryLoops());
   EXPECT_GT(parts.minCoeff(), 0);
   EXPECT_EQ(refinement.flippedFaces, 0);
-  for (int v = 0; v < surface.vertexCount(); ++v) EXPECT_EQ(refinement.originalPointIds[static_cast<std::size_t>(v)], v);
+  for (int v = 0; v < surface.vertexCount(); ++v)
+    EXPECT_EQ(refinement.originalPointIds[static_cast<std::size_t>(v)], v);
 }
 
 }  // namespace

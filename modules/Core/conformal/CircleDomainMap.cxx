@@ -24,8 +24,8 @@ IntrinsicTriangulation byCurvature(const PolyAnnulusMesh& surface, const CircleD
   for (std::size_t k = 0; k < surface.loops().size(); ++k) {
     circles.emplace_back(triangulation, surface.loops()[k], static_cast<int>(k) == result.outerLoop);
   }
-  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circles), options.flow,
-                                     execution.part(0, 0.9));
+  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circles),
+                                     options.flow, execution.part(0, 0.9));
   result.status = flow.status;
   result.residual = flow.residual;
   result.iterations = flow.iterations;
@@ -39,8 +39,8 @@ IntrinsicTriangulation byCurvature(const PolyAnnulusMesh& surface, const CircleD
 }
 
 // Vertices of every loop onto its circle, the outer circle onto the unit circle.
-void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options, const IntrinsicTriangulation& flipped,
-            CircleDomainResult& result) {
+void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options,
+            const IntrinsicTriangulation& flipped, CircleDomainResult& result) {
   const auto& loops = surface.loops();
   const std::vector<int>& outerLoop = loops[static_cast<std::size_t>(result.outerLoop)];
   const FittedCircle outer = fitCircle(result.image, outerLoop);
@@ -54,10 +54,13 @@ void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options, 
     }
   }
   for (const int v : outerLoop) result.image.row(v).normalize();
-  result.image = normaliseDisk(surface.mesh(), surface.topology(), outerLoop, result.image, options.normalisation);
+  result.image =
+      normaliseDisk(surface.mesh(), surface.topology(), outerLoop, result.image, options.normalisation);
   for (const std::vector<int>& loop : loops) result.circles.push_back(fitCircle(result.image, loop));
-  if (options.refine) result.refinement = commonRefinement(surface.mesh(), surface.topology(), flipped, result.image);
-  UnfoldedImage unfolded = unfoldImage(surface.mesh(), surface.topology(), std::move(result.image), options.unfold);
+  if (options.refine)
+    result.refinement = commonRefinement(surface.mesh(), surface.topology(), flipped, result.image);
+  UnfoldedImage unfolded =
+      unfoldImage(surface.mesh(), surface.topology(), std::move(result.image), options.unfold);
   result.image = std::move(unfolded.image);
   result.flippedBeforeUnfolding = unfolded.flippedBefore;
   result.flippedFaces = unfolded.flippedAfter;
@@ -73,14 +76,15 @@ const char* circleDomainRoadName(CircleDomainRoad road) noexcept {
 void CircleDomainOptions::validate(const PolyAnnulusMesh& surface) const {
   const int loops = static_cast<int>(surface.loops().size());
   if (outerLoop < -1 || outerLoop >= loops) {
-    throw InvalidArgument("A loop from 0 to " + std::to_string(loops - 1) + " is required as the outer one, but it is " +
-                          std::to_string(outerLoop) + ".");
+    throw InvalidArgument("A loop from 0 to " + std::to_string(loops - 1) +
+                          " is required as the outer one, but it is " + std::to_string(outerLoop) + ".");
   }
   if (!(roundness > 0)) {
     throw InvalidArgument("A positive roundness is required, but it is " + std::to_string(roundness) + ".");
   }
   if (maxRounds < 0) {
-    throw InvalidArgument("A non-negative number of rounds is required, but it is " + std::to_string(maxRounds) + ".");
+    throw InvalidArgument("A non-negative number of rounds is required, but it is " +
+                          std::to_string(maxRounds) + ".");
   }
   if (refine && road == CircleDomainRoad::Koebe) {
     throw InvalidArgument("The road 'curvature' is required for a common refinement, but it is 'koebe'.");

@@ -76,14 +76,14 @@ void takeOver(YamabeFlowResult&& flow, RiemannMapResult& result) {
 }
 
 // Returns the flow's triangulation.
-IntrinsicTriangulation byBoundary(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution,
-                                  RiemannMapResult& result) {
+IntrinsicTriangulation byBoundary(const DiskMesh& disk, const RiemannMapOptions& options,
+                                  const Execution& execution, RiemannMapResult& result) {
   const int n = disk.mesh().vertexCount();
   IntrinsicTriangulation triangulation(disk.mesh(), disk.topology());
   if (options.refine) triangulation.trackCrossings();
   std::vector<BoundaryCircle> circle{BoundaryCircle(triangulation, disk.boundary(), true)};
-  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circle), options.flow,
-                                     execution.part(0, 0.9));
+  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circle),
+                                     options.flow, execution.part(0, 0.9));
   if (flow.status != Status::Cancelled) {
     const Development development = develop(flow.triangulation, flow.logScale);
     result.image = development.points.topRows(n);
@@ -109,8 +109,8 @@ void byPuncture(const DiskMesh& disk, const RiemannMapOptions& options, const Ex
   const SurfaceTopology topology(punctured.faces(), punctured.vertexCount());
   const auto& loops = topology.boundaryLoops();
   const bool first = loops.front().front() == disk.boundary().front();
-  FlatCylinder cylinder = flatCylinder(punctured, topology, loops[first ? 0 : 1], loops[first ? 1 : 0], options.flow,
-                                       execution.part(0, 0.9));
+  FlatCylinder cylinder = flatCylinder(punctured, topology, loops[first ? 0 : 1], loops[first ? 1 : 0],
+                                       options.flow, execution.part(0, 0.9));
   if (cylinder.flow.status != Status::Cancelled) {
     result.image = exponential(cylinder.strip);
     result.holonomy = cylinder.holonomy;
@@ -125,7 +125,8 @@ const char* riemannRoadName(RiemannRoad road) noexcept {
   return road == RiemannRoad::Boundary ? "boundary" : "puncture";
 }
 
-RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution) {
+RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options,
+                            const Execution& execution) {
   options.normalisation.validate(disk.mesh(), disk.boundary(), disk.topology().onBoundary());
   options.flow.validate();
   if (options.refine && options.road == RiemannRoad::Puncture) {
@@ -141,9 +142,12 @@ RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& optio
   }
   if (result.status != Status::Cancelled) {
     for (const int v : disk.boundary()) result.image.row(v).normalize();
-    result.image = normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
-    if (options.refine) result.refinement = commonRefinement(disk.mesh(), disk.topology(), flipped, result.image);
-    UnfoldedImage unfolded = unfoldImage(disk.mesh(), disk.topology(), std::move(result.image), options.unfold);
+    result.image =
+        normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
+    if (options.refine)
+      result.refinement = commonRefinement(disk.mesh(), disk.topology(), flipped, result.image);
+    UnfoldedImage unfolded =
+        unfoldImage(disk.mesh(), disk.topology(), std::move(result.image), options.unfold);
     result.image = std::move(unfolded.image);
     result.flippedBeforeUnfolding = unfolded.flippedBefore;
     result.flippedFaces = unfolded.flippedAfter;

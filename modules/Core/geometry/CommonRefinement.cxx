@@ -11,9 +11,13 @@
 namespace authalic {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
-double cross(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
+double cross(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
 
 // Parameters in order and apart from each other; evenly spaced ones where they are not.
 void settle(std::vector<double>& parameters) {
@@ -24,14 +28,19 @@ void settle(std::vector<double>& parameters) {
     fine = fine && p >= last + gap && p <= 1 - gap;
     last = p;
   }
-  for (std::size_t k = 0; !fine && k < parameters.size(); ++k) parameters[k] = static_cast<double>(k + 1) / (count + 1);
+  for (std::size_t k = 0; !fine && k < parameters.size(); ++k)
+    parameters[k] = static_cast<double>(k + 1) / (count + 1);
 }
 
 class Refinement {
  public:
-  Refinement(const TriangleMesh& surface, const SurfaceTopology& topology, const IntrinsicTriangulation& flipped,
-             const Points2& image)
-      : surface_(surface), topology_(topology), flipped_(flipped), image_(image), first_(at(flipped.halfEdgeCount()), -1) {}
+  Refinement(const TriangleMesh& surface, const SurfaceTopology& topology,
+             const IntrinsicTriangulation& flipped, const Points2& image)
+      : surface_(surface),
+        topology_(topology),
+        flipped_(flipped),
+        image_(image),
+        first_(at(flipped.halfEdgeCount()), -1) {}
 
   CommonRefinement run();
 
@@ -58,11 +67,12 @@ class Refinement {
   const SurfaceTopology& topology_;
   const IntrinsicTriangulation& flipped_;
   const Points2& image_;
-  std::vector<int> first_;                         // per half-edge: id of the crossing next to its tail (one per edge)
-  std::map<std::pair<int, int>, int> halfEdges_;   // of the surface, by its ends
-  std::vector<std::array<int, 2>> ends_;           // of the surface's edge, per crossing
-  std::vector<double> onSurface_, onFlipped_;      // per crossing: parameter along the surface's edge; along the flipped one
-  std::vector<int> vertices_;                      // of the flipped edge per crossing: its stored half-edge
+  std::vector<int> first_;  // per half-edge: id of the crossing next to its tail (one per edge)
+  std::map<std::pair<int, int>, int> halfEdges_;  // of the surface, by its ends
+  std::vector<std::array<int, 2>> ends_;          // of the surface's edge, per crossing
+  std::vector<double> onSurface_,
+      onFlipped_;              // per crossing: parameter along the surface's edge; along the flipped one
+  std::vector<int> vertices_;  // of the flipped edge per crossing: its stored half-edge
   std::vector<Eigen::RowVector3i> faces_;
   std::vector<int> faceIds_;
 };
@@ -144,11 +154,14 @@ int Refinement::halfEdgeOf(int tail, int head) const {
   return found == halfEdges_.end() ? -1 : found->second;
 }
 
-// The face of the surface to the left of the piece of its edge from one point to the other; −1 when it is no such piece.
+// The face of the surface to the left of the piece of its edge from one point to the other; −1 when it is no
+// such piece.
 int Refinement::faceBeside(int one, int other) const {
   const int n = surface_.vertexCount();
   const auto edgeOf = [&](int point, int partner) -> std::array<int, 2> {
-    return point >= n ? ends_[at(point - n)] : partner >= n ? ends_[at(partner - n)] : std::array<int, 2>{point, partner};
+    return point >= n     ? ends_[at(point - n)]
+           : partner >= n ? ends_[at(partner - n)]
+                          : std::array<int, 2>{point, partner};
   };
   std::array<int, 2> edge = edgeOf(one, other);
   const auto place = [&](int point) {
@@ -161,11 +174,13 @@ int Refinement::faceBeside(int one, int other) const {
   return h < 0 ? -1 : h / 3;
 }
 
-// A convex cell, counter-clockwise, as a fan. One of its sides is a piece of an edge of the surface and names the face.
+// A convex cell, counter-clockwise, as a fan. One of its sides is a piece of an edge of the surface and names
+// the face.
 void Refinement::emit(std::vector<int> cell, int face) {
   cell.erase(std::unique(cell.begin(), cell.end()), cell.end());
   while (cell.size() > 1 && cell.front() == cell.back()) cell.pop_back();
-  for (std::size_t k = 0; k < cell.size() && face < 0; ++k) face = faceBeside(cell[k], cell[(k + 1) % cell.size()]);
+  for (std::size_t k = 0; k < cell.size() && face < 0; ++k)
+    face = faceBeside(cell[k], cell[(k + 1) % cell.size()]);
   for (std::size_t k = 2; k < cell.size(); ++k) {
     faces_.push_back({cell[0], cell[k - 1], cell[k]});
     faceIds_.push_back(face);
@@ -186,19 +201,24 @@ void Refinement::cutCorner(int h) {
 
 // What is left between the corners; where edges run from the corner opposite to h over h, in slices.
 void Refinement::cutMiddle(int h) {
-  const auto last = [this](int half, bool towardsHead) {  // the innermost crossing around an end of a half-edge
+  const auto last = [this](int half,
+                           bool towardsHead) {  // the innermost crossing around an end of a half-edge
     const FaceCrossings c = flipped_.faceCrossings(half);
-    if (towardsHead) return c.aroundHead > 0 ? id({half, flipped_.crossings(half) - c.aroundHead}) : flipped_.head(half);
+    if (towardsHead)
+      return c.aroundHead > 0 ? id({half, flipped_.crossings(half) - c.aroundHead}) : flipped_.head(half);
     return c.aroundTail > 0 ? id({half, c.aroundTail - 1}) : flipped_.tail(half);
   };
   const int next = flipped_.next(h), previous = flipped_.previous(h), apex = flipped_.tail(previous);
   const FaceCrossings c = flipped_.faceCrossings(h);
   if (c.fromApex == 0) {
-    emit({last(h, false), last(h, true), last(next, false), last(next, true), last(previous, false), last(previous, true)}, -1);
+    emit({last(h, false), last(h, true), last(next, false), last(next, true), last(previous, false),
+          last(previous, true)},
+         -1);
     return;
   }
   emit({apex, last(previous, true), last(h, false), id({h, c.aroundTail})}, -1);
-  for (int k = 1; k < c.fromApex; ++k) emit({apex, id({h, c.aroundTail + k - 1}), id({h, c.aroundTail + k})}, -1);
+  for (int k = 1; k < c.fromApex; ++k)
+    emit({apex, id({h, c.aroundTail + k - 1}), id({h, c.aroundTail + k})}, -1);
   emit({apex, id({h, c.aroundTail + c.fromApex - 1}), last(h, true), last(next, false)}, -1);
 }
 
@@ -212,7 +232,8 @@ void Refinement::cutFace(int h) {
 }
 
 CommonRefinement Refinement::run() {
-  for (int h = 0; h < static_cast<int>(3 * surface_.faceCount()); ++h) halfEdges_[{topology_.tail(h), topology_.head(h)}] = h;
+  for (int h = 0; h < static_cast<int>(3 * surface_.faceCount()); ++h)
+    halfEdges_[{topology_.tail(h), topology_.head(h)}] = h;
   numberCrossings();
   for (int h = 0; h < flipped_.halfEdgeCount(); ++h) traceFrom(h);
   placeOnFlippedEdges();
@@ -244,15 +265,16 @@ CommonRefinement Refinement::run() {
 
 CommonRefinement commonRefinement(const TriangleMesh& surface, const SurfaceTopology& topology,
                                   const IntrinsicTriangulation& flipped, const Points2& image) {
-  bool tracked = flipped.vertexCount() == surface.vertexCount() && flipped.faceCount() == surface.faceCount() &&
-                 image.rows() == surface.vertexCount();
+  bool tracked = flipped.vertexCount() == surface.vertexCount() &&
+                 flipped.faceCount() == surface.faceCount() && image.rows() == surface.vertexCount();
   bool any = false;
   for (int h = 0; tracked && h < flipped.halfEdgeCount(); ++h) any = any || flipped.crossings(h) > 0;
   // Without a crossing the triangulation must be the surface's own.
   if (tracked && !any) tracked = flipped.faces() == surface.faces();
   if (!tracked) {
-    throw InvalidArgument("A triangulation that tracks its crossings with this surface is required (trackCrossings before the "
-                          "first flip, no boundary edge split).");
+    throw InvalidArgument(
+        "A triangulation that tracks its crossings with this surface is required (trackCrossings before the "
+        "first flip, no boundary edge split).");
   }
   return Refinement(surface, topology, flipped, image).run();
 }
