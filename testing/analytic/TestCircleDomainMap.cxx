@@ -227,3 +227,18 @@ TEST(CircleDomainMap, OfRealFacesIsConformalWithRoundHolesAndWithoutFolds) {
     EXPECT_LT(measureDistortion(surface.mesh(), result.image).summary.meanAngleError, angle);
   }
 }
+
+TEST(CircleDomainMapSlow, RoadsAgreeOnRealFaces) {
+  for (const char* name : {"sophie", "alex_3"}) {
+    const std::string path = sharedData("meshes/poly_annulus/" + std::string(name) + ".off");
+    AUTHALIC_NEEDS(path);
+    const PolyAnnulusMesh surface(readOff(path));
+    CircleDomainOptions options;
+    const Points2 flow = circleDomainMap(surface, options).image;
+    options.road = CircleDomainRoad::Koebe;
+    options.roundness = 1e-9;
+    const CircleDomainResult koebe = circleDomainMap(surface, options);
+    EXPECT_EQ(koebe.status, Status::Converged);
+    EXPECT_LT((flow - koebe.image).rowwise().norm().maxCoeff(), 1e-6);
+  }
+}
