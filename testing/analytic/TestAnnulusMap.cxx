@@ -16,12 +16,14 @@ using namespace authalic::testing;
 namespace {
 
 TriangleMesh cylinder(int around, int along, double height) {
-  return revolutionMesh(around, along, [](double) { return 1.0; }, [height](double t) { return height * t; });
+  return revolutionMesh(
+      around, along, [](double) { return 1.0; }, [height](double t) { return height * t; });
 }
 
 TriangleMesh frustum(int around, int along, double lower, double upper, double height) {
-  return revolutionMesh(around, along, [=](double t) { return lower + t * (upper - lower); },
-                        [height](double t) { return height * t; });
+  return revolutionMesh(
+      around, along, [=](double t) { return lower + t * (upper - lower); },
+      [height](double t) { return height * t; });
 }
 
 }  // namespace
@@ -82,7 +84,8 @@ TEST(AnnulusMap, OpensTheRectangleAlongTheCutAndNowhereElse) {
     EXPECT_EQ(r.originalPointIds[static_cast<std::size_t>(r.faces.data()[k])], mesh.mesh().faces().data()[k]);
   }
   for (std::size_t i = static_cast<std::size_t>(n); i < r.originalPointIds.size(); ++i) {
-    const Eigen::RowVector2d shift = r.points.row(static_cast<Eigen::Index>(i)) - r.points.row(r.originalPointIds[i]);
+    const Eigen::RowVector2d shift =
+        r.points.row(static_cast<Eigen::Index>(i)) - r.points.row(r.originalPointIds[i]);
     EXPECT_NEAR(std::abs(shift[0]), 1, 1e-14);
     EXPECT_EQ(shift[1], 0);
   }

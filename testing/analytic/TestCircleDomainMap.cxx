@@ -24,7 +24,9 @@ const std::vector<RoundHole>& twoHoles() {
   return holes;
 }
 
-Points2 planar(const TriangleMesh& mesh) { return mesh.points().leftCols(2); }
+Points2 planar(const TriangleMesh& mesh) {
+  return mesh.points().leftCols(2);
+}
 
 TriangleMesh lifted(const Points2& points, const Faces& faces) {
   Points3 space = Points3::Zero(points.rows(), 3);
@@ -32,13 +34,16 @@ TriangleMesh lifted(const Points2& points, const Faces& faces) {
   return TriangleMesh(space, faces);
 }
 
-double rms(const Points2& a, const Points2& b) { return std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows())); }
+double rms(const Points2& a, const Points2& b) {
+  return std::sqrt((a - b).squaredNorm() / static_cast<double>(a.rows()));
+}
 
 // The domain with hills on it.
 TriangleMesh hillyDomain(int rings) {
   const TriangleMesh domain = holedDisk(rings, twoHoles());
   Points3 points = domain.points();
-  for (Eigen::Index v = 0; v < points.rows(); ++v) points(v, 2) = 0.4 * std::sin(3 * points(v, 0)) * std::cos(2 * points(v, 1));
+  for (Eigen::Index v = 0; v < points.rows(); ++v)
+    points(v, 2) = 0.4 * std::sin(3 * points(v, 0)) * std::cos(2 * points(v, 1));
   return TriangleMesh(points, domain.faces());
 }
 
@@ -80,7 +85,8 @@ TEST(CircleDomainMap, TakesBackAMobiusTransformationOfACircleDomainExactly) {
 }
 
 TEST(CircleDomainMap, OfACircleDomainOnTheSphereIsStereographicProjection) {
-  // Exactly so, but for the edges at the holes that the flow flips: the other diagonal is no chord of the sphere's mesh.
+  // Exactly so, but for the edges at the holes that the flow flips: the other diagonal is no chord of the
+  // sphere's mesh.
   const TriangleMesh domain = holedDisk(16, twoHoles());
   Points3 points(domain.vertexCount(), 3);
   for (int v = 0; v < domain.vertexCount(); ++v) {
@@ -90,8 +96,10 @@ TEST(CircleDomainMap, OfACircleDomainOnTheSphereIsStereographicProjection) {
   const PolyAnnulusMesh surface(TriangleMesh(points, domain.faces()));
   const int centre = innerVertex(surface);
   CircleDomainOptions options = centredAt(centre);
-  for (std::size_t k = 0; k < surface.loops().size(); ++k) {  // the longest loop in space need not be the outer one
-    if (domain.points().row(surface.loops()[k].front()).norm() > 0.99) options.outerLoop = static_cast<int>(k);
+  for (std::size_t k = 0; k < surface.loops().size();
+       ++k) {  // the longest loop in space need not be the outer one
+    if (domain.points().row(surface.loops()[k].front()).norm() > 0.99)
+      options.outerLoop = static_cast<int>(k);
   }
   const CircleDomainResult result = circleDomainMap(surface, options);
   ASSERT_EQ(result.status, Status::Converged);
@@ -138,9 +146,13 @@ TEST(CircleDomainMap, AgreesWithKoebesIteration) {
 
 TEST(CircleDomainMap, OfADiskIsItsRiemannMapAndOfAnAnnulusItsRing) {
   const TriangleMesh bumpy = bumpyDisk(10);
-  EXPECT_LT((circleDomainMap(PolyAnnulusMesh(bumpy)).image - riemannMap(DiskMesh(bumpy)).image).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((circleDomainMap(PolyAnnulusMesh(bumpy)).image - riemannMap(DiskMesh(bumpy)).image)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-9);
   const auto difference = [](int level) {
-    const TriangleMesh mesh = revolutionMesh(20 * level, 6 * level, [](double t) { return 2 - t; }, [](double t) { return t; });
+    const TriangleMesh mesh = revolutionMesh(
+        20 * level, 6 * level, [](double t) { return 2 - t; }, [](double t) { return t; });
     const CircleDomainResult circles = circleDomainMap(PolyAnnulusMesh(mesh));
     const AnnulusMapResult ring = annulusMap(AnnulusMesh(mesh));
     // The modulus of the domain between two circles of radius 1 and r at distance d.
@@ -169,7 +181,8 @@ TEST(CircleDomainMap, PutsLoopsOnCirclesInsideTheUnitCircle) {
       EXPECT_LT(circle.centre.norm() + circle.radius, 1);
     }
   }
-  const Eigen::VectorXd areas = vertexStars(faceAreas(surface.mesh()), surface.mesh().faces(), surface.mesh().vertexCount());
+  const Eigen::VectorXd areas =
+      vertexStars(faceAreas(surface.mesh()), surface.mesh().faces(), surface.mesh().vertexCount());
   EXPECT_LT((areas.transpose() * result.image).norm() / areas.sum(), 1e-12);
 }
 
@@ -194,7 +207,8 @@ TEST(CircleDomainMap, RefusesOptionsOutsideTheirRange) {
   for (const CircleDomainRoad road : {CircleDomainRoad::Curvature, CircleDomainRoad::Koebe}) {
     options = {};
     options.road = road;
-    const CircleDomainResult cancelled = circleDomainMap(surface, options, Execution({}, [] { return true; }));
+    const CircleDomainResult cancelled =
+        circleDomainMap(surface, options, Execution({}, [] { return true; }));
     EXPECT_EQ(cancelled.status, Status::Cancelled);
     EXPECT_EQ(cancelled.image.rows(), 0);
   }
@@ -211,5 +225,20 @@ TEST(CircleDomainMap, OfRealFacesIsConformalWithRoundHolesAndWithoutFolds) {
     EXPECT_LT(result.roundness, 1e-6);
     EXPECT_LT(result.holonomy, 1e-9);
     EXPECT_LT(measureDistortion(surface.mesh(), result.image).summary.meanAngleError, angle);
+  }
+}
+
+TEST(CircleDomainMapSlow, RoadsAgreeOnRealFaces) {
+  for (const char* name : {"sophie", "alex_3"}) {
+    const std::string path = sharedData("meshes/poly_annulus/" + std::string(name) + ".off");
+    AUTHALIC_NEEDS(path);
+    const PolyAnnulusMesh surface(readOff(path));
+    CircleDomainOptions options;
+    const Points2 flow = circleDomainMap(surface, options).image;
+    options.road = CircleDomainRoad::Koebe;
+    options.roundness = 1e-9;
+    const CircleDomainResult koebe = circleDomainMap(surface, options);
+    EXPECT_EQ(koebe.status, Status::Converged);
+    EXPECT_LT((flow - koebe.image).rowwise().norm().maxCoeff(), 1e-6);
   }
 }

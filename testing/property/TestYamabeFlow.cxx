@@ -29,7 +29,8 @@ IntrinsicTriangulation withRandomLengths(const TriangleMesh& mesh, unsigned seed
   FaceLengths lengths(mesh.faceCount(), 3);
   for (int h = 0; h < 3 * mesh.faceCount(); ++h) {
     const int g = topology.opposite(h);
-    lengths(h / 3, h % 3) = g >= 0 && g < h ? lengths(g / 3, g % 3) : std::uniform_real_distribution<double>(0.5001, 1)(random);
+    lengths(h / 3, h % 3) =
+        g >= 0 && g < h ? lengths(g / 3, g % 3) : std::uniform_real_distribution<double>(0.5001, 1)(random);
   }
   return IntrinsicTriangulation(topology, lengths);
 }
@@ -46,7 +47,8 @@ Eigen::VectorXd randomTarget(const IntrinsicTriangulation& t, int euler, unsigne
   }
   angle *= (flat - kFullTurn * euler) / angle.sum();
   Eigen::VectorXd target(n);
-  for (int i = 0; i < n; ++i) target[i] = (t.onBoundary()[static_cast<std::size_t>(i)] ? M_PI : kFullTurn) - angle[i];
+  for (int i = 0; i < n; ++i)
+    target[i] = (t.onBoundary()[static_cast<std::size_t>(i)] ? M_PI : kFullTurn) - angle[i];
   return target;
 }
 
@@ -56,7 +58,8 @@ void expectSolved(const YamabeFlowResult& flow, const Eigen::VectorXd& target) {
   // Judged anew, on the triangulation that is handed back.
   const Eigen::VectorXd curvature = vertexCurvature(flow.triangulation, flow.logScale);
   EXPECT_LE((curvature.head(target.size()) - target).cwiseAbs().maxCoeff(), 1.01e-10);
-  for (int h = 0; h < flow.triangulation.halfEdgeCount(); ++h) EXPECT_TRUE(flow.triangulation.isDelaunay(h, flow.logScale));
+  for (int h = 0; h < flow.triangulation.halfEdgeCount(); ++h)
+    EXPECT_TRUE(flow.triangulation.isDelaunay(h, flow.logScale));
 }
 
 TriangleMesh torusMesh(int columns, int rows) {
@@ -122,13 +125,15 @@ TEST(YamabeFlow, FlattensMeshesFullOfSlivers) {
     // Every fifth face gets flat: its first corner moves onto its longest side's middle or its neighbour.
     for (int f = 0; f < nice.faceCount(); f += 5) {
       const int a = nice.faces()(f, 0), b = nice.faces()(f, 1), c = nice.faces()(f, 2);
-      const Eigen::RowVector3d to = f % 2 ? Eigen::RowVector3d(0.5 * (points.row(b) + points.row(c))) : Eigen::RowVector3d(points.row(b));
+      const Eigen::RowVector3d to = f % 2 ? Eigen::RowVector3d(0.5 * (points.row(b) + points.row(c)))
+                                          : Eigen::RowVector3d(points.row(b));
       points.row(a) = to + width * (points.row(a) - to);
     }
     const IntrinsicTriangulation t = intrinsic(TriangleMesh(points, nice.faces()));
     double smallest = M_PI;
     for (int f = 0; f < t.faceCount(); ++f) {
-      for (const double angle : t.shape(f, Eigen::VectorXd::Zero(t.vertexCount())).angle) smallest = std::min(smallest, angle);
+      for (const double angle : t.shape(f, Eigen::VectorXd::Zero(t.vertexCount())).angle)
+        smallest = std::min(smallest, angle);
     }
     EXPECT_LT(smallest, width);
     Eigen::VectorXd target = Eigen::VectorXd::Zero(t.vertexCount());
@@ -140,7 +145,8 @@ TEST(YamabeFlow, FlattensMeshesFullOfSlivers) {
 TEST(YamabeFlow, StallsSmallWhereNeedlesMagnifyRounding) {
   TriangleMesh nice = bumpyDisk(10);
   Points3 points = nice.points();
-  for (int v = 5; v < 250; v += 20) points.row(v) = points.row(v + 1) + 1e-11 * (points.row(v) - points.row(v + 1));
+  for (int v = 5; v < 250; v += 20)
+    points.row(v) = points.row(v + 1) + 1e-11 * (points.row(v) - points.row(v + 1));
   const IntrinsicTriangulation t = intrinsic(TriangleMesh(points, nice.faces()));
   Eigen::VectorXd target = Eigen::VectorXd::Zero(t.vertexCount());
   target.tail(60).setConstant(kFullTurn / 60);
@@ -172,7 +178,8 @@ TEST(YamabeFlow, LeavesASurfaceWithItsOwnCurvatureAlone) {
 }
 
 TEST(YamabeFlow, ComesBackFromADeformationInItsOwnClass) {
-  // Scale a sphere's lengths by e^{(v_i + v_j)/2}: asking for the old curvature gives u = −v up to a constant.
+  // Scale a sphere's lengths by e^{(v_i + v_j)/2}: asking for the old curvature gives u = −v up to a
+  // constant.
   IntrinsicTriangulation t = intrinsic(sphereMesh(3));
   const int n = t.vertexCount();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n), curvature = vertexCurvature(t, zero);
@@ -199,7 +206,8 @@ TEST(YamabeFlow, DoesNotDependOnScaleOrOnTheNumberingOfVertices) {
   Eigen::VectorXd target = Eigen::VectorXd::Zero(n);
   target.tail(48).setConstant(kFullTurn / 48);
   const Eigen::VectorXd u = yamabeFlow(intrinsic(mesh), target).logScale;
-  const Eigen::VectorXd scaled = yamabeFlow(intrinsic(TriangleMesh(Points3(137.5 * mesh.points()), mesh.faces())), target).logScale;
+  const Eigen::VectorXd scaled =
+      yamabeFlow(intrinsic(TriangleMesh(Points3(137.5 * mesh.points()), mesh.faces())), target).logScale;
   EXPECT_LT((scaled - u).cwiseAbs().maxCoeff(), 1e-9);
   std::vector<int> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), 0);
@@ -211,13 +219,15 @@ TEST(YamabeFlow, DoesNotDependOnScaleOrOnTheNumberingOfVertices) {
     points.row(order[static_cast<std::size_t>(i)]) = mesh.points().row(i);
     shuffled[order[static_cast<std::size_t>(i)]] = target[i];
   }
-  for (Eigen::Index k = 0; k < faces.size(); ++k) faces.data()[k] = order[static_cast<std::size_t>(faces.data()[k])];
+  for (Eigen::Index k = 0; k < faces.size(); ++k)
+    faces.data()[k] = order[static_cast<std::size_t>(faces.data()[k])];
   const Eigen::VectorXd other = yamabeFlow(intrinsic(TriangleMesh(points, faces)), shuffled).logScale;
   for (int i = 0; i < n; ++i) EXPECT_NEAR(other[order[static_cast<std::size_t>(i)]], u[i], 1e-9);
 }
 
 TEST(YamabeFlow, KeepsGaussBonnetToRounding) {
-  for (const auto& [mesh, euler] : {std::pair{bumpyDisk(12), 1}, std::pair{sphereMesh(4), 2}, std::pair{torusMesh(20, 16), 0}}) {
+  for (const auto& [mesh, euler] :
+       {std::pair{bumpyDisk(12), 1}, std::pair{sphereMesh(4), 2}, std::pair{torusMesh(20, 16), 0}}) {
     const IntrinsicTriangulation t = intrinsic(mesh);
     const YamabeFlowResult flow = yamabeFlow(t, randomTarget(t, euler, 9));
     EXPECT_NEAR(flow.curvature.sum(), kFullTurn * euler, 1e-12);
@@ -297,15 +307,18 @@ TEST(RicciFlow, OfCirclePackingsFlattensADiskAndAgreesWithYamabeFlowMoreAndMoreA
     target.tail(6 * rings).setConstant(kFullTurn / (6 * rings));
     YamabeFlowOptions options;
     options.metric = ConformalMetric::CirclePacking;
-    const YamabeFlowResult packing = yamabeFlow(intrinsic(mesh), target, {}, options), yamabe = yamabeFlow(intrinsic(mesh), target);
+    const YamabeFlowResult packing = yamabeFlow(intrinsic(mesh), target, {}, options),
+                           yamabe = yamabeFlow(intrinsic(mesh), target);
     EXPECT_EQ(packing.status, Status::Converged);
-    EXPECT_LE((vertexCurvature(packing.triangulation, packing.logScale) - target).cwiseAbs().maxCoeff(), 1.01e-10);
+    EXPECT_LE((vertexCurvature(packing.triangulation, packing.logScale) - target).cwiseAbs().maxCoeff(),
+              1.01e-10);
     // Both layouts, scaled to the same size, turned by their first boundary vertex.
     const auto layout = [&](const YamabeFlowResult& flow) {
       const Development development = develop(flow.triangulation, flow.logScale);
       EXPECT_LT(development.holonomy, 1e-8);
       Points2 p = development.points.rowwise() - development.points.row(0);
-      const Eigen::RowVector2d first = p.row(mesh.vertexCount() - 1) / p.row(mesh.vertexCount() - 1).squaredNorm();
+      const Eigen::RowVector2d first =
+          p.row(mesh.vertexCount() - 1) / p.row(mesh.vertexCount() - 1).squaredNorm();
       for (Eigen::Index i = 0; i < p.rows(); ++i) {
         p.row(i) = Eigen::RowVector2d(p.row(i).dot(first), p(i, 1) * first[0] - p(i, 0) * first[1]);
       }
@@ -333,7 +346,8 @@ TEST(RicciFlow, ConvergesForBothChoicesOfRadiiOnGoodTriangles) {
 }
 
 TEST(RicciFlow, SaysHowManyFacesDegenerateWhereItStalls) {
-  // Random lengths and curvatures: overlapping circles run out of triangles; vertex scaling solves every one (see above).
+  // Random lengths and curvatures: overlapping circles run out of triangles; vertex scaling solves every one
+  // (see above).
   int stalled = 0, degenerate = 0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const IntrinsicTriangulation t = withRandomLengths(diskMesh(4), seed);

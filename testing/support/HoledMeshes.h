@@ -11,8 +11,9 @@
 
 namespace authalic::testing {
 
-/// `around` × (`along` + 1) vertices on a surface of revolution: radius(t), height(t) for t in [0, 1], every other ring
-/// turned by half a step. Faces look outwards when the height grows; the loop of t = 0 has the smaller ids.
+/// `around` × (`along` + 1) vertices on a surface of revolution: radius(t), height(t) for t in [0, 1], every
+/// other ring turned by half a step. Faces look outwards when the height grows; the loop of t = 0 has the
+/// smaller ids.
 template <class Radius, class Height>
 TriangleMesh revolutionMesh(int around, int along, const Radius& radius, const Height& height) {
   Points3 points(around * (along + 1), 3);
@@ -60,13 +61,14 @@ inline TriangleMesh packed(const Points3& points, const std::vector<Eigen::RowVe
   }
   Faces faces(static_cast<Eigen::Index>(kept.size()), 3);
   for (std::size_t f = 0; f < kept.size(); ++f) {
-    for (int k = 0; k < 3; ++k) faces(static_cast<Eigen::Index>(f), k) = number[static_cast<std::size_t>(kept[f][k])];
+    for (int k = 0; k < 3; ++k)
+      faces(static_cast<Eigen::Index>(f), k) = number[static_cast<std::size_t>(kept[f][k])];
   }
   return TriangleMesh(used, faces);
 }
 
-/// The flat unit disk of `rings` rings without round holes: faces that reach into a hole are dropped, so are ears (three
-/// corners on a loop), and the loops are moved onto the circles.
+/// The flat unit disk of `rings` rings without round holes: faces that reach into a hole are dropped, so are
+/// ears (three corners on a loop), and the loops are moved onto the circles.
 inline TriangleMesh holedDisk(int rings, const std::vector<RoundHole>& holes) {
   const TriangleMesh disk = diskMesh(rings);
   std::vector<Eigen::RowVector3i> kept;
@@ -85,7 +87,9 @@ inline TriangleMesh holedDisk(int rings, const std::vector<RoundHole>& holes) {
     Faces faces(static_cast<Eigen::Index>(kept.size()), 3);
     for (std::size_t f = 0; f < kept.size(); ++f) faces.row(static_cast<Eigen::Index>(f)) = kept[f];
     const SurfaceTopology topology(faces, disk.vertexCount());
-    const auto onLoop = [&topology](int v) { return topology.onBoundary()[static_cast<std::size_t>(v)] != 0; };
+    const auto onLoop = [&topology](int v) {
+      return topology.onBoundary()[static_cast<std::size_t>(v)] != 0;
+    };
     kept.erase(std::remove_if(kept.begin(), kept.end(),
                               [&](const auto& t) { return onLoop(t[0]) && onLoop(t[1]) && onLoop(t[2]); }),
                kept.end());
@@ -96,9 +100,11 @@ inline TriangleMesh holedDisk(int rings, const std::vector<RoundHole>& holes) {
   for (const std::vector<int>& loop : topology.boundaryLoops()) {
     for (const int v : loop) {
       if (points.row(v).norm() > 1 - 1e-9) continue;
-      const RoundHole& hole = *std::min_element(holes.begin(), holes.end(), [&](const RoundHole& a, const RoundHole& b) {
-        return (points.row(v).head(2) - a.centre).norm() - a.radius < (points.row(v).head(2) - b.centre).norm() - b.radius;
-      });
+      const RoundHole& hole =
+          *std::min_element(holes.begin(), holes.end(), [&](const RoundHole& a, const RoundHole& b) {
+            return (points.row(v).head(2) - a.centre).norm() - a.radius <
+                   (points.row(v).head(2) - b.centre).norm() - b.radius;
+          });
       const Eigen::RowVector2d arm = points.row(v).head(2) - hole.centre;
       points.row(v).head(2) = hole.centre + arm * (hole.radius / arm.norm());
     }

@@ -19,7 +19,9 @@ IntrinsicTriangulation intrinsic(const TriangleMesh& mesh) {
   return IntrinsicTriangulation(mesh, SurfaceTopology(mesh.faces(), mesh.vertexCount()));
 }
 
-Eigen::VectorXd noScale(const IntrinsicTriangulation& t) { return Eigen::VectorXd::Zero(t.vertexCount()); }
+Eigen::VectorXd noScale(const IntrinsicTriangulation& t) {
+  return Eigen::VectorXd::Zero(t.vertexCount());
+}
 
 Eigen::VectorXd randomScale(int count, double size, unsigned seed) {
   std::mt19937 random(seed);
@@ -77,7 +79,7 @@ TEST(IntrinsicTriangulation, GivesAnglesOfARightTriangleAtAnyScale) {
   for (const double scale : {1.0, 1e-150, 1e150}) {
     const IntrinsicTriangulation t = intrinsic(TriangleMesh(Points3(scale * points), faces));
     const FaceShape shape = t.shape(0, Eigen::Vector3d::Zero());
-    const double rounding = scale == 1 ? 1e-15 : 1e-13;  // a logarithm of 345 has an ulp of 6e-14
+    const double rounding = scale == 1 ? 1e-15 : 1e-13;       // a logarithm of 345 has an ulp of 6e-14
     EXPECT_NEAR(shape.angle[0], std::atan2(3, 4), rounding);  // opposite to the edge 01
     EXPECT_NEAR(shape.angle[1], M_PI / 2, rounding);
     EXPECT_NEAR(shape.angle[2], std::atan2(4, 3), rounding);
@@ -142,7 +144,8 @@ TEST(IntrinsicTriangulation, FlipsByPtolemyCommuteWithScaling) {
   int h = 0;
   while (!t.flippable(h)) ++h;
   const int g = t.opposite(h), jk = t.next(h), ki = t.previous(h), il = t.next(g), lj = t.previous(g);
-  const double expected = (std::exp(t.logLength(ki, u) + t.logLength(lj, u)) + std::exp(t.logLength(il, u) + t.logLength(jk, u))) /
+  const double expected = (std::exp(t.logLength(ki, u) + t.logLength(lj, u)) +
+                           std::exp(t.logLength(il, u) + t.logLength(jk, u))) /
                           std::exp(t.logLength(h, u));
   t.flip(h, u);
   EXPECT_NEAR(std::exp(t.logLength(h, u)) / expected, 1, 1e-14);
@@ -174,7 +177,9 @@ TEST(IntrinsicTriangulation, OfAClosedSurfaceIsMadeOfTrianglesAfterPtolemyFlipsW
     EXPECT_NEAR(vertexCurvature(t, u).sum(), 4 * M_PI, 1e-11);  // Gauss–Bonnet
     // Edges from a vertex to itself occur here; back at u = 0 the surface is what it was.
     t.makeDelaunay(noScale(t));
-    EXPECT_LT((vertexCurvature(t, noScale(t)) - vertexCurvature(intrinsic(sphereMesh(3)), noScale(t))).cwiseAbs().maxCoeff(),
+    EXPECT_LT((vertexCurvature(t, noScale(t)) - vertexCurvature(intrinsic(sphereMesh(3)), noScale(t)))
+                  .cwiseAbs()
+                  .maxCoeff(),
               1e-6);
   }
 }

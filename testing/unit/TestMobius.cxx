@@ -41,14 +41,15 @@ TEST(Mobius, CarriesThreePointsToThreePointsAndKeepsTheCrossRatio) {
     return (p - r) * (q - s) / ((q - r) * (p - s));
   };
   const Complex z(0.7, 0.2);
-  EXPECT_LT(std::abs(crossRatio(z, from[0], from[1], from[2]) - crossRatio(map(z), to[0], to[1], to[2])), 1e-14);
+  EXPECT_LT(std::abs(crossRatio(z, from[0], from[1], from[2]) - crossRatio(map(z), to[0], to[1], to[2])),
+            1e-14);
 }
 
 TEST(Mobius, ComposesInvertsAndDifferentiates) {
   const Mobius f(Complex(1, 2), Complex(0, 1), Complex(0.5, -0.3), Complex(2, 0)),
       g = Mobius::similarity(Complex(0.4, 0.3), Complex(1, -1));
   const Complex z(0.3, -0.8);
-  EXPECT_LT(std::abs((f * g)(z) - f(g(z))), 1e-15);
+  EXPECT_LT(std::abs((f * g)(z)-f(g(z))), 1e-15);
   EXPECT_LT(std::abs(f.inverse()(f(z)) - z), 1e-15);
   const double h = 1e-5;
   EXPECT_LT(std::abs(f.derivative(z) - (f(z + h) - f(z - h)) / (2 * h)), 1e-9);

@@ -67,13 +67,14 @@ void unfoldBoth(const AnnulusMesh& annulus, bool repair, AnnulusMapResult& resul
 
 }  // namespace
 
-AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options, const Execution& execution) {
+AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options,
+                            const Execution& execution) {
   const auto begin = std::chrono::steady_clock::now();
   const std::size_t outer = outerLoopOf(annulus, options);
   const int start = startVertexOf(annulus.loops()[outer], options);
   const TriangleMesh& mesh = annulus.mesh();
-  FlatCylinder cylinder = flatCylinder(mesh, annulus.topology(), annulus.loops()[outer], annulus.loops()[1 - outer],
-                                       options.flow, execution.part(0, 0.9));
+  FlatCylinder cylinder = flatCylinder(mesh, annulus.topology(), annulus.loops()[outer],
+                                       annulus.loops()[1 - outer], options.flow, execution.part(0, 0.9));
   AnnulusMapResult result;
   result.status = cylinder.flow.status;
   result.residual = cylinder.flow.residual;

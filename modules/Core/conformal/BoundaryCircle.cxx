@@ -6,7 +6,8 @@ namespace authalic {
 namespace {
 
 // Half arcs for 2R = longest / x, x in (0, 1].
-Eigen::VectorXd halfArcsAt(const Eigen::VectorXd& relative, Eigen::Index longest, bool centreInside, double x) {
+Eigen::VectorXd halfArcsAt(const Eigen::VectorXd& relative, Eigen::Index longest, bool centreInside,
+                           double x) {
   Eigen::VectorXd arcs = (relative * x).array().min(1.0).asin();
   if (!centreInside) arcs[longest] = M_PI - arcs[longest];
   return arcs;
@@ -38,7 +39,8 @@ InscribedPolygon inscribe(const Eigen::VectorXd& sides) {
   return polygon;
 }
 
-BoundaryCircle::BoundaryCircle(const IntrinsicTriangulation& triangulation, const std::vector<int>& loop, bool outer)
+BoundaryCircle::BoundaryCircle(const IntrinsicTriangulation& triangulation, const std::vector<int>& loop,
+                               bool outer)
     : outer_(outer), vertices_(loop) {
   std::vector<int> leaving(static_cast<std::size_t>(triangulation.vertexCount()), -1);
   for (int h = 0; h < triangulation.halfEdgeCount(); ++h) {

@@ -63,7 +63,8 @@ void CirclePacking::changeLengths(const Eigen::VectorXd& u) {
 
 // With d_ij = (l² + γ_i² − γ_j²)/2l, where the radical axis meets the edge, the power centre is at the height
 // (d_ik − d_ij cos θ_i) / sin θ_i over it.
-std::array<double, 3> CirclePacking::weights(int face, const FaceShape& shape, const Eigen::VectorXd& u) const {
+std::array<double, 3> CirclePacking::weights(int face, const FaceShape& shape,
+                                             const Eigen::VectorXd& u) const {
   const int h0 = triangulation_.first(face), h1 = triangulation_.next(h0), h2 = triangulation_.next(h1);
   const int side[3] = {h0, h1, h2};
   double length[3], radius[3];
@@ -73,10 +74,12 @@ std::array<double, 3> CirclePacking::weights(int face, const FaceShape& shape, c
   }
   std::array<double, 3> weight{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;  // corner k, edge k to corner next, edge `last` back to corner k
+    const std::size_t next = (k + 1) % 3,
+                      last = (k + 2) % 3;  // corner k, edge k to corner next, edge `last` back to corner k
     const double angle = shape.angle[next], own = radius[k] * radius[k];
     const double along = (length[k] * length[k] + own - radius[next] * radius[next]) / (2 * length[k]),
-                 other = (length[last] * length[last] + own - radius[last] * radius[last]) / (2 * length[last]);
+                 other =
+                     (length[last] * length[last] + own - radius[last] * radius[last]) / (2 * length[last]);
     weight[k] = (other - along * std::cos(angle)) / (std::sin(angle) * length[k]);
   }
   return weight;
@@ -87,7 +90,9 @@ double CirclePacking::weightOf(int h, const Eigen::VectorXd& u) const {
   const FaceShape shape = triangulation_.shape(f, u);
   if (!shape.triangle) return 0;
   const auto weight = weights(f, shape, u);
-  return h == triangulation_.first(f) ? weight[0] : h == triangulation_.next(triangulation_.first(f)) ? weight[1] : weight[2];
+  return h == triangulation_.first(f)                        ? weight[0]
+         : h == triangulation_.next(triangulation_.first(f)) ? weight[1]
+                                                             : weight[2];
 }
 
 bool CirclePacking::convex(int h, const Eigen::VectorXd& u) const {
@@ -116,7 +121,8 @@ void CirclePacking::settle(const Eigen::VectorXd& u) {
     takeInversiveDistance(h, u);
     ++flips_;
     --left;
-    for (const int side : {triangulation_.next(h), triangulation_.previous(h), triangulation_.next(g), triangulation_.previous(g)}) {
+    for (const int side : {triangulation_.next(h), triangulation_.previous(h), triangulation_.next(g),
+                           triangulation_.previous(g)}) {
       if (triangulation_.opposite(side) >= 0) queue.push_back(side);
     }
   }

@@ -29,9 +29,12 @@ Mobius centring(const TriangleMesh& mesh, const Points2& image, const DiskNormal
 
 const char* diskCentreName(DiskCentre centre) noexcept {
   switch (centre) {
-    case DiskCentre::AreaCentroid: return "area-centroid";
-    case DiskCentre::Vertex: return "vertex";
-    case DiskCentre::Face: return "face";
+    case DiskCentre::AreaCentroid:
+      return "area-centroid";
+    case DiskCentre::Vertex:
+      return "vertex";
+    case DiskCentre::Face:
+      return "face";
   }
   return "area-centroid";
 }
@@ -40,21 +43,23 @@ void DiskNormalisation::validate(const TriangleMesh& mesh, const std::vector<int
                                  const std::vector<char>& onBoundary) const {
   const int n = mesh.vertexCount(), m = mesh.faceCount();
   if (startVertex != -1 && std::find(outerLoop.begin(), outerLoop.end(), startVertex) == outerLoop.end()) {
-    throw InvalidArgument("A vertex of the outer loop is required at angle 0, but vertex " + std::to_string(startVertex) +
-                          " is none.");
+    throw InvalidArgument("A vertex of the outer loop is required at angle 0, but vertex " +
+                          std::to_string(startVertex) + " is none.");
   }
   if (centre == DiskCentre::Vertex &&
       (centreId < 0 || centreId >= n || onBoundary[static_cast<std::size_t>(centreId)])) {
-    throw InvalidArgument("An inner vertex is required at the centre, but vertex " + std::to_string(centreId) +
-                          " is none.");
+    throw InvalidArgument("An inner vertex is required at the centre, but vertex " +
+                          std::to_string(centreId) + " is none.");
   }
   if (centre == DiskCentre::Face && (centreId < 0 || centreId >= m)) {
-    throw InvalidArgument("A face is required at the centre, but there is no face " + std::to_string(centreId) + ".");
+    throw InvalidArgument("A face is required at the centre, but there is no face " +
+                          std::to_string(centreId) + ".");
   }
 }
 
-Points2 normaliseDisk(const TriangleMesh& mesh, const SurfaceTopology& topology, const std::vector<int>& outerLoop,
-                      const Points2& image, const DiskNormalisation& normalisation) {
+Points2 normaliseDisk(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                      const std::vector<int>& outerLoop, const Points2& image,
+                      const DiskNormalisation& normalisation) {
   normalisation.validate(mesh, outerLoop, topology.onBoundary());
   const Mobius centred = centring(mesh, image, normalisation);
   const int start = normalisation.startVertex >= 0 ? normalisation.startVertex : outerLoop.front();

@@ -23,7 +23,8 @@ struct DiskNormalisation {
   int startVertex = -1;  ///< vertex of the outer loop at angle 0; −1 = the one with the smallest id
 
   /// @throws InvalidArgument when an id does not belong to the surface
-  void validate(const TriangleMesh& mesh, const std::vector<int>& outerLoop, const std::vector<char>& onBoundary) const;
+  void validate(const TriangleMesh& mesh, const std::vector<int>& outerLoop,
+                const std::vector<char>& onBoundary) const;
 };
 
 /// Puts an image on the unit disk into its normal position by a Möbius transformation.

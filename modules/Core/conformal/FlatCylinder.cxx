@@ -22,13 +22,15 @@ double deviationFrom(double value, const Points2& points, const std::vector<int>
 
 }  // namespace
 
-FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topology, const std::vector<int>& outer,
-                          const std::vector<int>& inner, const YamabeFlowOptions& options, const Execution& execution) {
+FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                          const std::vector<int>& outer, const std::vector<int>& inner,
+                          const YamabeFlowOptions& options, const Execution& execution) {
   FlatCylinder cylinder;
   cylinder.cut = cutAnnulus(mesh, topology, outer, inner);
   IntrinsicTriangulation triangulation(mesh, topology);
   triangulation.attachWinding(cylinder.cut.winding);
-  cylinder.flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(mesh.vertexCount()), {}, options, execution);
+  cylinder.flow =
+      yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(mesh.vertexCount()), {}, options, execution);
   if (cylinder.flow.status == Status::Cancelled) return cylinder;
   const Development development = develop(cylinder.flow.triangulation, cylinder.flow.logScale);
   cylinder.holonomy = development.holonomy;
@@ -36,7 +38,8 @@ FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topol
       std::complex<double>(0, 2 * M_PI) / std::complex<double>(development.period[0], development.period[1]);
   cylinder.strip.resize(mesh.vertexCount(), 2);
   for (Eigen::Index v = 0; v < cylinder.strip.rows(); ++v) {
-    const std::complex<double> z = turn * std::complex<double>(development.points(v, 0), development.points(v, 1));
+    const std::complex<double> z =
+        turn * std::complex<double>(development.points(v, 0), development.points(v, 1));
     cylinder.strip.row(v) << z.real(), z.imag();
   }
   // The outer loop is to be on the right; half a turn carries it there and turns the period over.
@@ -47,7 +50,8 @@ FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topol
   cylinder.strip.col(0).array() -= meanOf(cylinder.strip, outer);
   cylinder.height = -meanOf(cylinder.strip, inner);
   cylinder.straightness = std::max(deviationFrom(0, cylinder.strip, outer),
-                                   deviationFrom(-cylinder.height, cylinder.strip, inner)) / (2 * M_PI);
+                                   deviationFrom(-cylinder.height, cylinder.strip, inner)) /
+                          (2 * M_PI);
   for (const int v : outer) cylinder.strip(v, 0) = 0;
   for (const int v : inner) cylinder.strip(v, 0) = -cylinder.height;
   return cylinder;

@@ -14,8 +14,8 @@ namespace authalic {
 struct FlatCylinder {
   YamabeFlowResult flow;
   AnnulusCut cut;
-  /// n×2: (ξ, θ), conformal and oriented, ξ = 0 on the outer loop and −height on the inner, θ known up to 2π; an edge
-  /// from i to j runs from (ξ, θ)_i to (ξ, θ)_j + (0, 2π turns · w_ij).
+  /// n×2: (ξ, θ), conformal and oriented, ξ = 0 on the outer loop and −height on the inner, θ known up to 2π; an
+  /// edge from i to j runs from (ξ, θ)_i to (ξ, θ)_j + (0, 2π turns · w_ij).
   Points2 strip;
   int turns = 1;            ///< ±1: θ that winding number 1 adds, over 2π
   double height = 0;        ///< ln R/r

@@ -15,14 +15,16 @@ using Loops = std::vector<std::vector<int>>;
 // All loops but one closed by a fan around a new vertex, which the caller has put at the end of the points.
 DiskMesh fillHoles(Points3 points, const Faces& faces, const Loops& loops, std::size_t open) {
   Eigen::Index fans = 0;
-  for (std::size_t k = 0; k < loops.size(); ++k) fans += k == open ? 0 : static_cast<Eigen::Index>(loops[k].size());
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    fans += k == open ? 0 : static_cast<Eigen::Index>(loops[k].size());
   Faces filled(faces.rows() + fans, 3);
   filled.topRows(faces.rows()) = faces;
   Eigen::Index row = faces.rows();
   int apex = static_cast<int>(points.rows() - static_cast<Eigen::Index>(loops.size()) + 1);
   for (std::size_t k = 0; k < loops.size(); ++k) {
     if (k == open) continue;
-    for (std::size_t i = 0; i < loops[k].size(); ++i) filled.row(row++) << loops[k][(i + 1) % loops[k].size()], loops[k][i], apex;
+    for (std::size_t i = 0; i < loops[k].size(); ++i)
+      filled.row(row++) << loops[k][(i + 1) % loops[k].size()], loops[k][i], apex;
     ++apex;
   }
   return DiskMesh(TriangleMesh(std::move(points), std::move(filled)));
@@ -36,14 +38,16 @@ DiskMesh fillSurface(const TriangleMesh& mesh, const Loops& loops, std::size_t o
   for (std::size_t k = 0; k < loops.size(); ++k) {
     if (k == open) continue;
     points.row(apex).setZero();
-    for (const int v : loops[k]) points.row(apex) += mesh.points().row(v) / static_cast<double>(loops[k].size());
+    for (const int v : loops[k])
+      points.row(apex) += mesh.points().row(v) / static_cast<double>(loops[k].size());
     ++apex;
   }
   return fillHoles(std::move(points), mesh.faces(), loops, open);
 }
 
 // The planar image turned inside out around one loop, its other holes closed at the centres of their circles.
-DiskMesh fillImage(Points2 image, const Faces& faces, const Loops& loops, std::size_t open, std::size_t outermost) {
+DiskMesh fillImage(Points2 image, const Faces& faces, const Loops& loops, std::size_t open,
+                   std::size_t outermost) {
   if (open != outermost) {
     const FittedCircle hole = fitCircle(image, loops[open]);
     image = Mobius(0, hole.radius, 1, -Mobius::Complex(hole.centre[0], hole.centre[1]))(image);
@@ -58,8 +62,8 @@ DiskMesh fillImage(Points2 image, const Faces& faces, const Loops& loops, std::s
 }
 
 // Make one loop the unit circle. Returns false when the flow gave up or was cancelled.
-bool makeRound(const DiskMesh& filled, const CircleDomainOptions& options, const Execution& execution, int vertexCount,
-               CircleDomainResult& result) {
+bool makeRound(const DiskMesh& filled, const CircleDomainOptions& options, const Execution& execution,
+               int vertexCount, CircleDomainResult& result) {
   RiemannMapOptions riemann;
   riemann.flow = options.flow;
   const RiemannMapResult step = riemannMap(filled, riemann, execution);
@@ -81,12 +85,13 @@ double worstDeviation(const Points2& image, const Loops& loops) {
 
 }  // namespace
 
-void koebeIteration(const PolyAnnulusMesh& surface, const CircleDomainOptions& options, const Execution& execution,
-                    CircleDomainResult& result) {
+void koebeIteration(const PolyAnnulusMesh& surface, const CircleDomainOptions& options,
+                    const Execution& execution, CircleDomainResult& result) {
   const Loops& loops = surface.loops();
   const TriangleMesh& mesh = surface.mesh();
   const auto outer = static_cast<std::size_t>(result.outerLoop);
-  const Execution silent = Execution({}, [&execution] { return execution.cancelled(); }, execution.threads());
+  const Execution silent = Execution(
+      {}, [&execution] { return execution.cancelled(); }, execution.threads());
   std::size_t outermost = outer;
   if (!makeRound(fillSurface(mesh, loops, outer), options, silent, mesh.vertexCount(), result)) return;
   while (result.status == Status::NotRun) {

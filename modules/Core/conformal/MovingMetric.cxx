@@ -13,7 +13,8 @@ constexpr double kLeastWeight = 1e-3, kMostWeight = 1e9;  // in place of negativ
 
 }  // namespace
 
-MovingMetric::MovingMetric(IntrinsicTriangulation triangulation, SolverBackend backend, const Execution& execution)
+MovingMetric::MovingMetric(IntrinsicTriangulation triangulation, SolverBackend backend,
+                           const Execution& execution)
     : triangulation_(std::move(triangulation)),
       execution_(execution),
       angles_(static_cast<std::size_t>(triangulation_.halfEdgeCount()), 0.0),
@@ -21,7 +22,8 @@ MovingMetric::MovingMetric(IntrinsicTriangulation triangulation, SolverBackend b
       triangle_(static_cast<std::size_t>(triangulation_.faceCount()), 1),
       unknown_(static_cast<std::size_t>(triangulation_.vertexCount()), kNoFace),
       solver_(backend) {
-  for (int h = 0; h < triangulation_.halfEdgeCount(); ++h) unknown_[static_cast<std::size_t>(triangulation_.tail(h))] = 0;
+  for (int h = 0; h < triangulation_.halfEdgeCount(); ++h)
+    unknown_[static_cast<std::size_t>(triangulation_.tail(h))] = 0;
   int next = kHeld;  // the first vertex with a face
   for (int& id : unknown_) {
     if (id == 0) id = next++;
@@ -50,7 +52,8 @@ void MovingMetric::moveTo(const Eigen::VectorXd& u) {
 void MovingMetric::sumCurvature() {
   const int n = triangulation_.vertexCount();
   curvature_.resize(n);
-  for (int v = 0; v < n; ++v) curvature_[v] = triangulation_.onBoundary()[static_cast<std::size_t>(v)] ? M_PI : 2 * M_PI;
+  for (int v = 0; v < n; ++v)
+    curvature_[v] = triangulation_.onBoundary()[static_cast<std::size_t>(v)] ? M_PI : 2 * M_PI;
   for (int f = 0; f < triangulation_.faceCount(); ++f) {
     const int h0 = triangulation_.first(f), h1 = triangulation_.next(h0), h2 = triangulation_.next(h1);
     curvature_[triangulation_.tail(h2)] -= angles_[static_cast<std::size_t>(h0)];
@@ -79,7 +82,8 @@ void MovingMetric::findPattern() {
     if (i == j) {  // an edge from a vertex to itself: no difference of u along it
       ends.row(static_cast<Eigen::Index>(e)) << -1, -1;
     } else {
-      ends.row(static_cast<Eigen::Index>(e)) << unknown_[static_cast<std::size_t>(i)], unknown_[static_cast<std::size_t>(j)];
+      ends.row(static_cast<Eigen::Index>(e)) << unknown_[static_cast<std::size_t>(i)],
+          unknown_[static_cast<std::size_t>(j)];
     }
   }
   assembly_ = std::make_unique<ElementAssembly>(unknowns, ends);
@@ -91,16 +95,19 @@ void MovingMetric::factorize() {
   elements_.resize(3 * edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const int g = triangulation_.opposite(edges_[e]);
-    const double weight = weights_[static_cast<std::size_t>(edges_[e])] + (g < 0 ? 0 : weights_[static_cast<std::size_t>(g)]);
+    const double weight =
+        weights_[static_cast<std::size_t>(edges_[e])] + (g < 0 ? 0 : weights_[static_cast<std::size_t>(g)]);
     elements_[3 * e] = elements_[3 * e + 2] = weight;
     elements_[3 * e + 1] = -weight;
   }
   try {
     solver_.factorize(assembly_->assemble(elements_));
   } catch (const SolverError&) {
-    // Negative weights that no flip takes away: without them L is definite, and its directions still lead downhill.
+    // Negative weights that no flip takes away: without them L is definite, and its directions still lead
+    // downhill.
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const double weight = elements_[3 * e] > kLeastWeight ? std::min(elements_[3 * e], kMostWeight) : kLeastWeight;
+      const double weight =
+          elements_[3 * e] > kLeastWeight ? std::min(elements_[3 * e], kMostWeight) : kLeastWeight;
       elements_[3 * e] = elements_[3 * e + 2] = weight;
       elements_[3 * e + 1] = -weight;
     }
@@ -135,7 +142,8 @@ void VertexScaling::changeLengths(const Eigen::VectorXd& u) {
   flips_ += triangulation_.makeDelaunay(u, FlipRule::Ptolemy, execution_);
 }
 
-std::array<double, 3> VertexScaling::weights(int /*face*/, const FaceShape& shape, const Eigen::VectorXd& /*u*/) const {
+std::array<double, 3> VertexScaling::weights(int /*face*/, const FaceShape& shape,
+                                             const Eigen::VectorXd& /*u*/) const {
   return {0.5 * shape.cotangent[0], 0.5 * shape.cotangent[1], 0.5 * shape.cotangent[2]};
 }
 

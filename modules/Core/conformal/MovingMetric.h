@@ -1,5 +1,6 @@
 /// @file
-/// Curvature and its derivative at scale factors u: what every Newton step of the flow needs. Private to conformal/.
+/// Curvature and its derivative at scale factors u: what every Newton step of the flow needs. Private to
+/// conformal/.
 #pragma once
 
 #include <array>
@@ -14,10 +15,11 @@
 
 namespace authalic {
 
-/// A triangulation whose lengths move with u, with the factorised derivative L = ∂K/∂u of where it was last asked for.
+/// A triangulation whose lengths move with u, with the factorised derivative L = ∂K/∂u of where it was last asked
+/// for.
 ///
-/// The lengths at u are those of triangulation().logLength(h, u). A rule of change (vertex scaling, circle packing) says
-/// how to get there and what each half-edge weighs: L_ij = −(w_h + w_opposite(h)).
+/// The lengths at u are those of triangulation().logLength(h, u). A rule of change (vertex scaling, circle
+/// packing) says how to get there and what each half-edge weighs: L_ij = −(w_h + w_opposite(h)).
 class MovingMetric {
  public:
   MovingMetric(IntrinsicTriangulation triangulation, SolverBackend backend, const Execution& execution);
@@ -48,7 +50,8 @@ class MovingMetric {
   /// Set the lengths at u; flip what the rule flips on the way.
   virtual void changeLengths(const Eigen::VectorXd& u) = 0;
   /// Weights of a face's half-edges in the order first, next, previous.
-  [[nodiscard]] virtual std::array<double, 3> weights(int face, const FaceShape& shape, const Eigen::VectorXd& u) const = 0;
+  [[nodiscard]] virtual std::array<double, 3> weights(int face, const FaceShape& shape,
+                                                      const Eigen::VectorXd& u) const = 0;
 
   IntrinsicTriangulation triangulation_;
   const Execution& execution_;
@@ -70,14 +73,16 @@ class MovingMetric {
   SparseSolver solver_;
 };
 
-/// l_ij e^{(u_i + u_j)/2}, Delaunay by Ptolemy flips wherever it goes; w = ½ cot of the opposite angle @cite luo2004.
+/// l_ij e^{(u_i + u_j)/2}, Delaunay by Ptolemy flips wherever it goes; w = ½ cot of the opposite angle
+/// @cite luo2004.
 class VertexScaling final : public MovingMetric {
  public:
   using MovingMetric::MovingMetric;
 
  private:
   void changeLengths(const Eigen::VectorXd& u) override;
-  [[nodiscard]] std::array<double, 3> weights(int face, const FaceShape& shape, const Eigen::VectorXd& u) const override;
+  [[nodiscard]] std::array<double, 3> weights(int face, const FaceShape& shape,
+                                              const Eigen::VectorXd& u) const override;
 };
 
 }  // namespace authalic

@@ -75,13 +75,15 @@ void takeOver(YamabeFlowResult&& flow, RiemannMapResult& result) {
   result.history = std::move(flow.history);
 }
 
-void byBoundary(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution,
-                RiemannMapResult& result) {
+// Returns the flow's triangulation.
+IntrinsicTriangulation byBoundary(const DiskMesh& disk, const RiemannMapOptions& options,
+                                  const Execution& execution, RiemannMapResult& result) {
   const int n = disk.mesh().vertexCount();
   IntrinsicTriangulation triangulation(disk.mesh(), disk.topology());
+  if (options.refine) triangulation.trackCrossings();
   std::vector<BoundaryCircle> circle{BoundaryCircle(triangulation, disk.boundary(), true)};
-  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circle), options.flow,
-                                     execution.part(0, 0.9));
+  YamabeFlowResult flow = yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(n), std::move(circle),
+                                     options.flow, execution.part(0, 0.9));
   if (flow.status != Status::Cancelled) {
     const Development development = develop(flow.triangulation, flow.logScale);
     result.image = development.points.topRows(n);
@@ -90,7 +92,9 @@ void byBoundary(const DiskMesh& disk, const RiemannMapOptions& options, const Ex
     result.roundness = fitted.deviation;
     result.image = (result.image.rowwise() - fitted.centre) / fitted.radius;
   }
+  IntrinsicTriangulation flipped = std::move(flow.triangulation);
   takeOver(std::move(flow), result);
+  return flipped;
 }
 
 void byPuncture(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution,
@@ -105,8 +109,8 @@ void byPuncture(const DiskMesh& disk, const RiemannMapOptions& options, const Ex
   const SurfaceTopology topology(punctured.faces(), punctured.vertexCount());
   const auto& loops = topology.boundaryLoops();
   const bool first = loops.front().front() == disk.boundary().front();
-  FlatCylinder cylinder = flatCylinder(punctured, topology, loops[first ? 0 : 1], loops[first ? 1 : 0], options.flow,
-                                       execution.part(0, 0.9));
+  FlatCylinder cylinder = flatCylinder(punctured, topology, loops[first ? 0 : 1], loops[first ? 1 : 0],
+                                       options.flow, execution.part(0, 0.9));
   if (cylinder.flow.status != Status::Cancelled) {
     result.image = exponential(cylinder.strip);
     result.holonomy = cylinder.holonomy;
@@ -121,20 +125,29 @@ const char* riemannRoadName(RiemannRoad road) noexcept {
   return road == RiemannRoad::Boundary ? "boundary" : "puncture";
 }
 
-RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options, const Execution& execution) {
+RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& options,
+                            const Execution& execution) {
   options.normalisation.validate(disk.mesh(), disk.boundary(), disk.topology().onBoundary());
   options.flow.validate();
+  if (options.refine && options.road == RiemannRoad::Puncture) {
+    throw InvalidArgument("The road 'boundary' is required for a common refinement, but it is 'puncture'.");
+  }
   const auto start = std::chrono::steady_clock::now();
   RiemannMapResult result;
+  IntrinsicTriangulation flipped;
   if (options.road == RiemannRoad::Boundary) {
-    byBoundary(disk, options, execution, result);
+    flipped = byBoundary(disk, options, execution, result);
   } else {
     byPuncture(disk, options, execution, result);
   }
   if (result.status != Status::Cancelled) {
     for (const int v : disk.boundary()) result.image.row(v).normalize();
-    result.image = normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
-    UnfoldedImage unfolded = unfoldImage(disk.mesh(), disk.topology(), std::move(result.image), options.unfold);
+    result.image =
+        normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
+    if (options.refine)
+      result.refinement = commonRefinement(disk.mesh(), disk.topology(), flipped, result.image);
+    UnfoldedImage unfolded =
+        unfoldImage(disk.mesh(), disk.topology(), std::move(result.image), options.unfold);
     result.image = std::move(unfolded.image);
     result.flippedBeforeUnfolding = unfolded.flippedBefore;
     result.flippedFaces = unfolded.flippedAfter;

@@ -8,7 +8,8 @@
 
 namespace authalic {
 
-UnfoldedImage unfoldImage(const TriangleMesh& surface, const SurfaceTopology& topology, Points2 image, bool repair) {
+UnfoldedImage unfoldImage(const TriangleMesh& surface, const SurfaceTopology& topology, Points2 image,
+                          bool repair) {
   UnfoldedImage result;
   result.flippedBefore = result.flippedAfter = countFlippedFaces(image, topology.faces());
   result.image = std::move(image);

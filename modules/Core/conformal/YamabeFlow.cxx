@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kRecordFactor = 0.9;
 constexpr double kSmallestStep = 1e-9;
-constexpr double kLongestChange = 8;  // of u in one step: e^8 in length, far beyond where Newton's model holds
+constexpr double kLongestChange =
+    8;  // of u in one step: e^8 in length, far beyond where Newton's model holds
 
 void requireAdmissible(const IntrinsicTriangulation& triangulation, const Eigen::VectorXd& target) {
   const int n = triangulation.vertexCount();
@@ -27,7 +28,8 @@ void requireAdmissible(const IntrinsicTriangulation& triangulation, const Eigen:
   for (int v = 0; v < n; ++v) {
     const bool boundary = triangulation.onBoundary()[static_cast<std::size_t>(v)];
     if (target[v] >= (boundary ? M_PI : 2 * M_PI)) {
-      throw InvalidArgument(std::string("A target curvature below ") + (boundary ? "π on the boundary" : "2π inside") +
+      throw InvalidArgument(std::string("A target curvature below ") +
+                            (boundary ? "π on the boundary" : "2π inside") +
                             " is required (angles are positive), but it is " + std::to_string(target[v]) +
                             " at vertex " + std::to_string(v) + ".");
     }
@@ -35,15 +37,16 @@ void requireAdmissible(const IntrinsicTriangulation& triangulation, const Eigen:
   const double total = vertexCurvature(triangulation, Eigen::VectorXd::Zero(n)).sum();
   if (std::abs(target.sum() - total) > 1e-9 * (1 + std::sqrt(static_cast<double>(n)))) {
     throw InvalidArgument("Target curvatures with sum 2π χ = " + std::to_string(total) +
-                          " are required (Gauss-Bonnet), but their sum is " + std::to_string(target.sum()) + ".");
+                          " are required (Gauss-Bonnet), but their sum is " + std::to_string(target.sum()) +
+                          ".");
   }
 }
 
 /// Newton's method for K(u) = K̄(u).
 class Flow {
  public:
-  Flow(IntrinsicTriangulation triangulation, const Eigen::VectorXd& target, std::vector<BoundaryCircle> circles,
-       const YamabeFlowOptions& options, const Execution& execution)
+  Flow(IntrinsicTriangulation triangulation, const Eigen::VectorXd& target,
+       std::vector<BoundaryCircle> circles, const YamabeFlowOptions& options, const Execution& execution)
       : options_(options),
         execution_(execution),
         originalVertices_(static_cast<int>(target.size())),
@@ -62,8 +65,8 @@ class Flow {
     if (options_.metric == ConformalMetric::VertexScaling) {
       metric_ = std::make_unique<VertexScaling>(std::move(triangulation), options_.solver, execution_);
     } else {
-      auto packing = std::make_unique<CirclePacking>(std::move(triangulation), options_.radii, options_.solver,
-                                                     execution_);
+      auto packing = std::make_unique<CirclePacking>(std::move(triangulation), options_.radii,
+                                                     options_.solver, execution_);
       u_ = packing->logRadii();
       metric_ = std::move(packing);
     }
@@ -109,15 +112,16 @@ Eigen::VectorXd Flow::multiply(const Eigen::VectorXd& v, bool withOuter) const {
   return product;
 }
 
-// L δ = r, or conjugate gradients with L as preconditioner where K̄ depends on u. The derivatives of circles move only
-// the lowest few modes of each loop: a handful of steps. Negative curvature ends it.
+// L δ = r, or conjugate gradients with L as preconditioner where K̄ depends on u. The derivatives of circles
+// move only the lowest few modes of each loop: a handful of steps. Negative curvature ends it.
 Eigen::VectorXd Flow::direction(bool withOuter) const {
   Eigen::VectorXd first = metric_->solve(residual_);
   first.array() -= first.mean();  // u keeps its sum of 0
   if (circles_.empty()) return first;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(first.size()), r = residual_, z = first, p = z;
   double rz = r.dot(z);
-  const double forcing = std::clamp(residual_.cwiseAbs().maxCoeff(), 1e-6, 1e-2), enough = forcing * forcing * rz;
+  const double forcing = std::clamp(residual_.cwiseAbs().maxCoeff(), 1e-6, 1e-2),
+               enough = forcing * forcing * rz;
   for (int k = 0; k < 60 && rz > enough; ++k) {
     const Eigen::VectorXd product = multiply(p, withOuter);
     const double bend = p.dot(product);
@@ -148,8 +152,8 @@ double Flow::takeRecordStep(const Eigen::VectorXd& delta) {
   return 1;
 }
 
-// Shorten the step until the energy still falls at its end: −δ·(K̄ − K) ≤ 0. With outer circles frozen the energy is a
-// convex bound of the true one that touches it at u.
+// Shorten the step until the energy still falls at its end: −δ·(K̄ − K) ≤ 0. With outer circles frozen the
+// energy is a convex bound of the true one that touches it at u.
 double Flow::takeDescentStep(const Eigen::VectorXd& delta, double before) {
   double step = longestStep(delta);
   hindered_ = 0;
@@ -221,7 +225,8 @@ int Flow::splitBoundary() {
   return static_cast<int>(tails.size());
 }
 
-// Rounding in u and λ, magnified by the cotangents of needles, is a floor under the residual: there steps go nowhere.
+// Rounding in u and λ, magnified by the cotangents of needles, is a floor under the residual: there steps go
+// nowhere.
 bool Flow::atFloor() {
   if (worst() < 0.9 * best_) {
     best_ = worst();
@@ -314,7 +319,8 @@ YamabeFlowResult yamabeFlow(IntrinsicTriangulation triangulation, const Eigen::V
   for (const BoundaryCircle& circle : circles) circle.setCurvature(asked);
   requireAdmissible(triangulation, asked);
   YamabeFlowResult result;
-  result.initialFlips = triangulation.makeDelaunay(Eigen::VectorXd::Zero(target.size()), FlipRule::Euclidean, execution);
+  result.initialFlips =
+      triangulation.makeDelaunay(Eigen::VectorXd::Zero(target.size()), FlipRule::Euclidean, execution);
   Flow flow(std::move(triangulation), asked, std::move(circles), options, execution);
   flow.run(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -8,7 +8,8 @@
 namespace authalic {
 namespace {
 
-/// A half-edge whose face can be laid out next: where its ends are, and in which copy of the universal cover its tail is.
+/// A half-edge whose face can be laid out next: where its ends are, and in which copy of the universal cover
+/// its tail is.
 struct Front {
   double logLength;
   int halfEdge;
@@ -44,7 +45,8 @@ class Unfolding {
   std::vector<int> copy_;  // of the universal cover in which the vertex was reached first
   Points2 raw_;            // its place there
   std::priority_queue<Front> queue_;
-  Eigen::RowVector2d shifts_{0, 0};  // Σ m (place − first place) and Σ m² of vertices reached again in another copy
+  Eigen::RowVector2d shifts_{
+      0, 0};  // Σ m (place − first place) and Σ m² of vertices reached again in another copy
   double weight_ = 0;
 };
 
@@ -76,19 +78,26 @@ void Unfolding::start() {
 }
 
 void Unfolding::layFace(const Front& front) {
-  const int h = front.halfEdge, jk = triangulation_.next(h), ki = triangulation_.next(jk), f = triangulation_.face(h);
+  const int h = front.halfEdge, jk = triangulation_.next(h), ki = triangulation_.next(jk),
+            f = triangulation_.face(h);
   if (laid_[static_cast<std::size_t>(f)]) return;
   laid_[static_cast<std::size_t>(f)] = 1;
   const FaceShape shape = triangulation_.shape(f, u_);
   const int first = triangulation_.first(f);
-  const double angle = shape.angle[jk == first ? 0 : jk == triangulation_.next(first) ? 1 : 2];  // at the tail
+  const double angle = shape.angle[jk == first                        ? 0
+                                   : jk == triangulation_.next(first) ? 1
+                                                                      : 2];  // at the tail
   const Eigen::RowVector2d along = (front.head - front.tail).normalized(), across(-along[1], along[0]);
   const double logJk = triangulation_.logLength(jk, u_), logKi = triangulation_.logLength(ki, u_);
-  const Eigen::RowVector2d apex = front.tail + std::exp(logKi) * (std::cos(angle) * along + std::sin(angle) * across);
-  const int copyOfHead = front.copy + triangulation_.winding(h), copyOfApex = copyOfHead + triangulation_.winding(jk);
+  const Eigen::RowVector2d apex =
+      front.tail + std::exp(logKi) * (std::cos(angle) * along + std::sin(angle) * across);
+  const int copyOfHead = front.copy + triangulation_.winding(h),
+            copyOfApex = copyOfHead + triangulation_.winding(jk);
   place(triangulation_.tail(ki), copyOfApex, apex);
-  if (const int g = triangulation_.opposite(jk); g >= 0) queue_.push({logJk, g, copyOfApex, apex, front.head});
-  if (const int g = triangulation_.opposite(ki); g >= 0) queue_.push({logKi, g, front.copy, front.tail, apex});
+  if (const int g = triangulation_.opposite(jk); g >= 0)
+    queue_.push({logJk, g, copyOfApex, apex, front.head});
+  if (const int g = triangulation_.opposite(ki); g >= 0)
+    queue_.push({logKi, g, front.copy, front.tail, apex});
 }
 
 double Unfolding::holonomy(const Development& development) const {

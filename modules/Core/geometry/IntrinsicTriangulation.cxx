@@ -36,7 +36,9 @@ double sixteenSquaredAreas(double a, double b, double c) {
   return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
 }
 
-std::string edgeName(int i, int j) { return std::to_string(i) + "-" + std::to_string(j); }
+std::string edgeName(int i, int j) {
+  return std::to_string(i) + "-" + std::to_string(j);
+}
 
 }  // namespace
 
@@ -62,8 +64,8 @@ IntrinsicTriangulation::IntrinsicTriangulation(const SurfaceTopology& topology, 
     const double length = lengths(h / 3, h % 3);
     const int across = opposite(h);
     if (!(length > 0) || !std::isfinite(length)) {
-      throw GeometryError("Positive finite edge lengths are required, but the edge " + edgeName(tail(h), head(h)) +
-                          " has " + std::to_string(length) + ".");
+      throw GeometryError("Positive finite edge lengths are required, but the edge " +
+                          edgeName(tail(h), head(h)) + " has " + std::to_string(length) + ".");
     }
     if (across >= 0 && lengths(across / 3, across % 3) != length) {
       throw GeometryError("One length per edge is required, but the two faces of the edge " +
@@ -194,11 +196,14 @@ void IntrinsicTriangulation::flip(int h, const Eigen::VectorXd& u, FlipRule rule
   const int g = opposite(h);
   const int jk = next(h), ki = next(jk), il = next(g), lj = next(il);
   const double length = flippedLogLength(h, u, rule);
-  const auto at = [](auto& array, int i) -> auto& { return array[static_cast<std::size_t>(i)]; };
+  const auto at = [](auto& array, int i) -> auto& {
+    return array[static_cast<std::size_t>(i)];
+  };
   if (!winding_.empty()) {
     at(winding_, h) = -(winding(ki) + winding(il));  // around face (l → k → i)
     at(winding_, g) = -at(winding_, h);
   }
+  if (!crossings_.empty()) at(crossings_, h) = at(crossings_, g) = flippedCrossings(h);
   at(tail_, h) = tail(lj);
   at(tail_, g) = tail(ki);
   at(logLength_, h) = at(logLength_, g) = length;
@@ -214,7 +219,44 @@ void IntrinsicTriangulation::flip(int h, const Eigen::VectorXd& u, FlipRule rule
   at(first_, face(g)) = g;
 }
 
-int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule, const Execution& execution) {
+void IntrinsicTriangulation::trackCrossings() {
+  crossings_.assign(next_.size(), -1);
+}
+
+FaceCrossings IntrinsicTriangulation::faceCrossings(int h) const {
+  const int ij = std::max(crossings(h), 0), jk = std::max(crossings(next(h)), 0),
+            ki = std::max(crossings(previous(h)), 0);
+  const auto from = [](int across, int one, int other) { return std::max(0, across - one - other); };
+  const int fromI = from(jk, ij, ki), fromJ = from(ki, ij, jk);
+  FaceCrossings c;
+  c.fromApex = from(ij, jk, ki);
+  c.aroundTail = (std::max(0, ij + ki - jk) - fromJ - c.fromApex) / 2;
+  c.aroundHead = (std::max(0, ij + jk - ki) - fromI - c.fromApex) / 2;
+  return c;
+}
+
+// A tracked edge crosses the new diagonal kl when it cuts off k or l, runs from i or j over the far side,
+// changes sides on its way through ij, or is ij.
+int IntrinsicTriangulation::flippedCrossings(int h) const {
+  const int g = opposite(h);
+  const FaceCrossings above = faceCrossings(h), below = faceCrossings(g);
+  int count = crossings(h) < 0 ? 1 : 0;
+  for (const int half :
+       {next(h), next(g)}) {  // jk and il: around their heads lie k and l; their apices are i and j
+    const FaceCrossings side = faceCrossings(half);
+    count += side.aroundHead + side.fromApex;
+  }
+  for (const int half : {previous(h), previous(g)}) count += faceCrossings(half).fromApex;
+  count += std::max(0, above.aroundTail - below.aroundHead - below.fromApex) +
+           std::max(0, below.aroundHead - above.aroundTail - above.fromApex);
+  // One that runs from k to l through ij is the new diagonal.
+  const int both = std::min(above.aroundTail + above.fromApex, below.aroundHead + below.fromApex) -
+                   std::max(above.aroundTail, below.aroundHead);
+  return both > 0 ? -1 : count;
+}
+
+int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule,
+                                         const Execution& execution) {
   std::vector<char> waiting(static_cast<std::size_t>(halfEdgeCount()), 0);
   parallelFor(waiting.size(), execution, [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
@@ -229,7 +271,8 @@ int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule
   int flips = 0;
   const int most = 1000 * (halfEdgeCount() + 100);
   while (!queue.empty()) {
-    if (flips > most) throw SolverError("Edge lengths within the range of double are required, but flips do not end.");
+    if (flips > most)
+      throw SolverError("Edge lengths within the range of double are required, but flips do not end.");
     const int h = queue.front(), g = opposite(h);
     queue.pop_front();
     waiting[static_cast<std::size_t>(h)] = 0;
@@ -237,7 +280,8 @@ int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule
     flip(h, u, rule);
     ++flips;
     for (const int side : {next(h), previous(h), next(g), previous(g)}) {
-      const int edge = std::min(side, opposite(side));  // the half-edge that stands for its edge; −1: boundary
+      const int edge =
+          std::min(side, opposite(side));  // the half-edge that stands for its edge; −1: boundary
       if (edge < 0 || waiting[static_cast<std::size_t>(edge)]) continue;
       waiting[static_cast<std::size_t>(edge)] = 1;
       queue.push_back(edge);
@@ -249,7 +293,9 @@ int IntrinsicTriangulation::makeDelaunay(const Eigen::VectorXd& u, FlipRule rule
 int IntrinsicTriangulation::splitBoundaryEdge(int h, const Eigen::VectorXd& u) {
   const int jk = next(h), ki = previous(h), i = tail(h), j = head(h), middle = vertexCount_++;
   const FaceShape form = shape(face(h), u);
-  const auto angleOpposite = [&](int half) { return form.angle[half == first(face(h)) ? 0 : half == next(first(face(h))) ? 1 : 2]; };
+  const auto angleOpposite = [&](int half) {
+    return form.angle[half == first(face(h)) ? 0 : half == next(first(face(h))) ? 1 : 2];
+  };
   const double alpha = angleOpposite(jk), beta = angleOpposite(ki), uMiddle = 0.5 * (u[i] + u[j]);
   const auto stored = [&](double logLength, int end) { return logLength - 0.5 * (u[end] + uMiddle); };
   const double logIm = stored(logLength(ki, u) + std::log(std::cos(alpha)), i),
@@ -271,6 +317,7 @@ int IntrinsicTriangulation::splitBoundaryEdge(int h, const Eigen::VectorXd& u) {
   first_[static_cast<std::size_t>(face(h))] = h;
   first_.push_back(mj);
   onBoundary_.push_back(1);
+  crossings_.clear();
   return middle;
 }
 
@@ -281,8 +328,9 @@ void IntrinsicTriangulation::attachWinding(std::vector<int> winding) {
     closed = w(h) + w(next(h)) + w(previous(h)) == 0 && (opposite(h) < 0 || w(opposite(h)) == -w(h));
   }
   if (!closed) {
-    throw InvalidArgument("A closed integer 1-form is required as winding numbers: one per half-edge, opposite on "
-                          "opposite half-edges, summing to 0 around every face.");
+    throw InvalidArgument(
+        "A closed integer 1-form is required as winding numbers: one per half-edge, opposite on "
+        "opposite half-edges, summing to 0 around every face.");
   }
   winding_ = std::move(winding);
 }

@@ -11,12 +11,17 @@ namespace {
 
 constexpr double kFlattest = 0.05, kHighest = 0.5;  // of a pocket, in chords
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 class Pockets {
  public:
   Pockets(const TriangleMesh& surface, const SurfaceTopology& topology, Points2 image)
-      : surface_(surface), topology_(topology), areas_(faceAreas(surface)), loop_(at(surface.vertexCount()), -1) {
+      : surface_(surface),
+        topology_(topology),
+        areas_(faceAreas(surface)),
+        loop_(at(surface.vertexCount()), -1) {
     result_.image = std::move(image);
     for (std::size_t k = 0; k < topology.boundaryLoops().size(); ++k) {
       for (const int v : topology.boundaryLoops()[k]) loop_[at(v)] = static_cast<int>(k);
@@ -79,14 +84,17 @@ std::vector<int> Pockets::mainPart() const {
 
 bool Pockets::folded(const std::vector<int>& pocket) const {
   Faces faces(static_cast<Eigen::Index>(pocket.size()), 3);
-  for (std::size_t k = 0; k < pocket.size(); ++k) faces.row(static_cast<Eigen::Index>(k)) = surface_.faces().row(pocket[k]);
+  for (std::size_t k = 0; k < pocket.size(); ++k)
+    faces.row(static_cast<Eigen::Index>(k)) = surface_.faces().row(pocket[k]);
   return countFlippedFaces(result_.image, faces) > 0;
 }
 
 // The ear's own shape over the image of its chord. The chord runs so that the pocket lies to its left.
 void Pockets::placeEar(int chord, int face) {
-  const int i = topology_.tail(chord), j = topology_.head(chord), tip = topology_.head(SurfaceTopology::next(chord));
-  const Eigen::Vector3d base = surface_.point(j) - surface_.point(i), arm = surface_.point(tip) - surface_.point(i);
+  const int i = topology_.tail(chord), j = topology_.head(chord),
+            tip = topology_.head(SurfaceTopology::next(chord));
+  const Eigen::Vector3d base = surface_.point(j) - surface_.point(i),
+                        arm = surface_.point(tip) - surface_.point(i);
   const double along = std::clamp(base.dot(arm) / base.squaredNorm(), 0.0, 1.0),
                height = std::clamp(2 * areas_[face] / base.squaredNorm(), kFlattest, kHighest);
   const Eigen::RowVector2d side = result_.image.row(j) - result_.image.row(i), normal(-side[1], side[0]);
@@ -113,14 +121,18 @@ void Pockets::placeLarge(int chord, const std::vector<int>& pocket) {
   const SurfaceTopology topology(faces, static_cast<int>(vertices.size()));
   std::vector<int> loop = topology.boundaryLoops().front();
   const int i = topology_.tail(chord), j = topology_.head(chord);
-  std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), local[at(j)]), loop.end());  // j … i, then the chord
+  std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), local[at(j)]),
+              loop.end());  // j … i, then the chord
   std::vector<double> reached{0};
   for (std::size_t k = 1; k < loop.size(); ++k) {
-    reached.push_back(reached.back() + (surface_.point(vertices[at(loop[k])]) - surface_.point(vertices[at(loop[k - 1])])).norm());
+    reached.push_back(
+        reached.back() +
+        (surface_.point(vertices[at(loop[k])]) - surface_.point(vertices[at(loop[k - 1])])).norm());
   }
   const double chordSquared = (surface_.point(j) - surface_.point(i)).squaredNorm(),
                sagitta = std::clamp(1.5 * area / std::max(chordSquared, 1e-300), kFlattest, kHighest);
-  const Eigen::RowVector2d start = result_.image.row(j), side = result_.image.row(i) - start, normal(side[1], -side[0]);
+  const Eigen::RowVector2d start = result_.image.row(j), side = result_.image.row(i) - start,
+                           normal(side[1], -side[0]);
   Points2 image = Points2::Zero(static_cast<Eigen::Index>(vertices.size()), 2);
   std::vector<char> held(vertices.size(), 0);
   for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -128,7 +140,8 @@ void Pockets::placeLarge(int chord, const std::vector<int>& pocket) {
     held[at(loop[k])] = 1;
     image.row(loop[k]) = start + t * side + 4 * sagitta * t * (1 - t) * normal;
   }
-  solveBarycentric(faces, HalfEdgeWeights::Constant(faces.rows(), 3, 1.0), held, SolverBackend::Automatic, image);
+  solveBarycentric(faces, HalfEdgeWeights::Constant(faces.rows(), 3, 1.0), held, SolverBackend::Automatic,
+                   image);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v] == i || vertices[v] == j) continue;
     result_.image.row(vertices[v]) = image.row(static_cast<Eigen::Index>(v));
@@ -163,7 +176,8 @@ FoldedPocketsResult Pockets::run() {
 
 }  // namespace
 
-FoldedPocketsResult bulgeFoldedPockets(const TriangleMesh& surface, const SurfaceTopology& topology, Points2 image) {
+FoldedPocketsResult bulgeFoldedPockets(const TriangleMesh& surface, const SurfaceTopology& topology,
+                                       Points2 image) {
   return Pockets(surface, topology, std::move(image)).run();
 }
 

@@ -13,7 +13,8 @@ FittedCircle fitCircle(const Points2& points, const std::vector<int>& vertices) 
   const auto count = static_cast<Eigen::Index>(vertices.size());
   Points2 chosen(count, 2);
   for (Eigen::Index k = 0; k < count; ++k) chosen.row(k) = points.row(vertices[static_cast<std::size_t>(k)]);
-  const Eigen::RowVector2d middle = count > 0 ? Eigen::RowVector2d(chosen.colwise().mean()) : Eigen::RowVector2d(0, 0);
+  const Eigen::RowVector2d middle =
+      count > 0 ? Eigen::RowVector2d(chosen.colwise().mean()) : Eigen::RowVector2d(0, 0);
   chosen.rowwise() -= middle;
   const double size = count > 0 ? chosen.cwiseAbs().maxCoeff() : 0;
   if (count < 3 || !(size > 0)) {

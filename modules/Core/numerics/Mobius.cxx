@@ -12,12 +12,15 @@ namespace {
 
 using Complex = Mobius::Complex;
 
-Complex pointOf(const Points2& points, Eigen::Index i) { return {points(i, 0), points(i, 1)}; }
+Complex pointOf(const Points2& points, Eigen::Index i) {
+  return {points(i, 0), points(i, 1)};
+}
 
 // The transformation that carries three points to 0, 1, ∞.
 Mobius toZeroOneInfinity(const std::array<Complex, 3>& z) {
   if (z[0] == z[1] || z[1] == z[2] || z[2] == z[0]) {
-    throw GeometryError("Three different points are required to fix a Möbius transformation, but two of them are equal.");
+    throw GeometryError(
+        "Three different points are required to fix a Möbius transformation, but two of them are equal.");
   }
   return {z[1] - z[2], -z[0] * (z[1] - z[2]), z[1] - z[0], -z[2] * (z[1] - z[0])};
 }
@@ -32,8 +35,9 @@ void requireMassesInDisk(const Points2& points, const Eigen::VectorXd& masses) {
   }
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     if (!(points.row(i).squaredNorm() <= 1 + 1e-9)) {
-      throw GeometryError("Points in the closed unit disk are required, but point " + std::to_string(i) + " is (" +
-                          std::to_string(points(i, 0)) + ", " + std::to_string(points(i, 1)) + ").");
+      throw GeometryError("Points in the closed unit disk are required, but point " + std::to_string(i) +
+                          " is (" + std::to_string(points(i, 0)) + ", " + std::to_string(points(i, 1)) +
+                          ").");
     }
   }
 }
@@ -50,7 +54,8 @@ double energyAt(const Points2& points, const Eigen::VectorXd& masses, Complex w)
 // The Newton step from 0, shortened until it stays inside the disk and lowers the energy.
 Complex centringStep(const Points2& points, const Eigen::VectorXd& masses, Complex centre) {
   Complex second = 0;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) second += masses[i] * pointOf(points, i) * pointOf(points, i);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    second += masses[i] * pointOf(points, i) * pointOf(points, i);
   second /= masses.sum();
   Complex w = (centre + second * std::conj(centre)) / std::max(1 - std::norm(second), 1e-12);
   if (std::abs(w) > 0.9) w *= 0.9 / std::abs(w);
@@ -74,8 +79,9 @@ Mobius::Mobius(Complex a, Complex b, Complex c, Complex d) : a_(a), b_(b), c_(c)
   const Complex determinant = a * d - b * c;
   const double size = std::norm(a) + std::norm(b) + std::norm(c) + std::norm(d);
   if (!std::isfinite(size) || !(std::abs(determinant) > 1e-300)) {
-    throw GeometryError("A Möbius transformation with a d - b c other than zero is required; this one is constant or "
-                        "not finite.");
+    throw GeometryError(
+        "A Möbius transformation with a d - b c other than zero is required; this one is constant or "
+        "not finite.");
   }
   const Complex root = std::sqrt(determinant);
   a_ /= root;
@@ -84,9 +90,13 @@ Mobius::Mobius(Complex a, Complex b, Complex c, Complex d) : a_(a), b_(b), c_(c)
   d_ /= root;
 }
 
-Mobius Mobius::rotation(double angle) { return {std::polar(1.0, angle), 0, 0, 1}; }
+Mobius Mobius::rotation(double angle) {
+  return {std::polar(1.0, angle), 0, 0, 1};
+}
 
-Mobius Mobius::similarity(Complex scale, Complex shift) { return {scale, shift, 0, 1}; }
+Mobius Mobius::similarity(Complex scale, Complex shift) {
+  return {scale, shift, 0, 1};
+}
 
 Mobius Mobius::diskToOrigin(Complex p) {
   if (!(std::norm(p) < 1)) {
@@ -100,7 +110,9 @@ Mobius Mobius::throughThreePoints(const std::array<Complex, 3>& from, const std:
   return toZeroOneInfinity(to).inverse() * toZeroOneInfinity(from);
 }
 
-Complex Mobius::derivative(Complex z) const { return 1.0 / ((c_ * z + d_) * (c_ * z + d_)); }
+Complex Mobius::derivative(Complex z) const {
+  return 1.0 / ((c_ * z + d_) * (c_ * z + d_));
+}
 
 Points2 Mobius::operator()(const Points2& points) const {
   Points2 image(points.rows(), 2);
@@ -111,7 +123,9 @@ Points2 Mobius::operator()(const Points2& points) const {
   return image;
 }
 
-Mobius Mobius::inverse() const { return {d_, -b_, -c_, a_}; }
+Mobius Mobius::inverse() const {
+  return {d_, -b_, -c_, a_};
+}
 
 Mobius Mobius::operator*(const Mobius& first) const {
   return {a_ * first.a_ + b_ * first.c_, a_ * first.b_ + b_ * first.d_, c_ * first.a_ + d_ * first.c_,
@@ -126,8 +140,9 @@ DiskCentring centreOfMassToOrigin(const Points2& points, const Eigen::VectorXd& 
   for (;; ++centring.iterations) {
     const Complex centre = massCentre(moved, masses);
     centring.residual = std::abs(centre);
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(centring.map.a()) *
-                            std::abs(centring.map.a());  // points near the circle are known to 1e-16, magnified
+    const double rounding =
+        16 * std::numeric_limits<double>::epsilon() * std::abs(centring.map.a()) *
+        std::abs(centring.map.a());  // points near the circle are known to 1e-16, magnified
     if (centring.residual <= std::max(tolerance, rounding)) centring.status = Status::Converged;
     if (centring.status == Status::Converged || centring.iterations >= maxIterations) break;
     // What goes to 0 next; diskToOrigin of it is the composition without the rotation that it has picked up.

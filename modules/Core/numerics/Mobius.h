@@ -55,7 +55,8 @@ class Mobius {
 
 /// What centreOfMassToOrigin found.
 struct DiskCentring {
-  Mobius map;                      ///< the automorphism of the unit disk; carries no rotation: its derivative at the
+  Mobius map;                      ///< the automorphism of the unit disk; carries no rotation: its derivative at
+                                   ///< the
                                    ///< point that goes to 0 is positive
   Status status = Status::NotRun;  ///< Converged: residual ≤ tolerance, or ≤ 4e-15 / (1 − |w|²), the
                                    ///< rounding of the points; Stalled: w runs to the circle
@@ -65,13 +66,15 @@ struct DiskCentring {
 
 /// The automorphism φ of the unit disk, unique up to rotation, with Σ m_i φ(z_i) = 0.
 ///
-/// φ = diskToOrigin(w) where w minimises Σ m_i ln(|1 − w̄ z_i|² / (1 − |w|²)), which is strictly convex along hyperbolic
-/// geodesics (on the circle: the conformal barycentre of @cite douady1986). Newton's method from wherever the last step
-/// went to 0: w − S w̄ = c with c, S the mass means of z and z², halved until the energy falls.
+/// φ = diskToOrigin(w) where w minimises Σ m_i ln(|1 − w̄ z_i|² / (1 − |w|²)), which is strictly convex along
+/// hyperbolic geodesics (on the circle: the conformal barycentre of @cite douady1986). Newton's method from
+/// wherever the last step went to 0: w − S w̄ = c with c, S the mass means of z and z², halved until the energy
+/// falls.
 ///
 /// @param points  n×2 in the closed unit disk
 /// @param masses  n masses ≥ 0 with a positive sum; no point of the circle may hold half of it
-/// @throws GeometryError when sizes differ, a mass is negative or not finite, all are zero, or a point lies outside
+/// @throws GeometryError when sizes differ, a mass is negative or not finite, all are zero, or a point lies
+///         outside
 /// Complexity O(n) per iteration; 4 to 10 iterations.
 [[nodiscard]] DiskCentring centreOfMassToOrigin(const Points2& points, const Eigen::VectorXd& masses,
                                                 double tolerance = 1e-13, int maxIterations = 100);

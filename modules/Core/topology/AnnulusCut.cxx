@@ -10,7 +10,8 @@
 namespace authalic {
 namespace {
 
-// First half-edge that leaves each vertex, the boundary's one where there is one: turning from it sweeps the whole fan.
+// First half-edge that leaves each vertex, the boundary's one where there is one: turning from it sweeps the
+// whole fan.
 std::vector<int> leavingHalfEdges(const SurfaceTopology& topology) {
   std::vector<int> leaving(static_cast<std::size_t>(topology.vertexCount()), -1);
   for (int h = 0; h < static_cast<int>(3 * topology.faces().rows()); ++h) {
@@ -21,10 +22,12 @@ std::vector<int> leavingHalfEdges(const SurfaceTopology& topology) {
 }
 
 // Counter-clockwise neighbour around the tail, −1 at the boundary.
-int turn(const SurfaceTopology& topology, int h) { return topology.opposite(SurfaceTopology::previous(h)); }
+int turn(const SurfaceTopology& topology, int h) {
+  return topology.opposite(SurfaceTopology::previous(h));
+}
 
-std::vector<int> shortestPath(const TriangleMesh& mesh, const SurfaceTopology& topology, const std::vector<int>& from,
-                              const std::vector<int>& to) {
+std::vector<int> shortestPath(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                              const std::vector<int>& from, const std::vector<int>& to) {
   const auto n = static_cast<std::size_t>(mesh.vertexCount());
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
   std::vector<int> before(n, -1);
@@ -62,7 +65,8 @@ std::vector<int> shortestPath(const TriangleMesh& mesh, const SurfaceTopology& t
       h = next == start ? -1 : next;
     }
   }
-  throw TopologyError("Two loops of one connected surface are required, but no path of edges leads from one to the other.");
+  throw TopologyError(
+      "Two loops of one connected surface are required, but no path of edges leads from one to the other.");
 }
 
 int halfEdgeBetween(const SurfaceTopology& topology, int start, int head) {
@@ -92,8 +96,8 @@ AnnulusCut cutAnnulus(const TriangleMesh& mesh, const SurfaceTopology& topology,
   const auto corners = static_cast<std::size_t>(3 * mesh.faceCount());
   cut.onRight.assign(corners, 0);
   const std::vector<int> leaving = leavingHalfEdges(topology);
-  // The right side of a path vertex is swept from the edge back along the path to the edge ahead; that of the first
-  // vertex starts at the boundary.
+  // The right side of a path vertex is swept from the edge back along the path to the edge ahead; that of the
+  // first vertex starts at the boundary.
   for (std::size_t k = 0; k < cut.path.size(); ++k) {
     const int v = cut.path[k], start = leaving[static_cast<std::size_t>(v)];
     const int ahead = k + 1 < cut.path.size() ? cut.path[k + 1] : -1;
