@@ -23,15 +23,14 @@ constexpr Eigen::Index kBasis = 64;
 class Problem {
  public:
   Problem(const TriangleMesh& surface, SolverBackend backend)
-      : stiffness_(cotangentStiffness(surface)),
-        mass_(vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount())),
+      : mass_(vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount())),
         solver_(backend) {
     area_ = mass_.sum();
     if (!(area_ > 0)) throw GeometryError("A surface with area is required for its eigenfunctions, but it has none.");
     mass_ = mass_.cwiseMax(1e-12 * area_ / static_cast<double>(mass_.size()));
     area_ = mass_.sum();
     shift_ = 1e-3 * 8 * M_PI / area_;  // far below λ_1 ≈ 8π / area of a round sphere
-    SparseMatrix shifted = stiffness_;
+    SparseMatrix shifted = cotangentStiffness(surface);
     for (Eigen::Index i = 0; i < mass_.size(); ++i) shifted.coeffRef(i, i) += shift_ * mass_[i];
     solver_.compute(shifted);
   }
@@ -45,14 +44,8 @@ class Problem {
   [[nodiscard]] Eigen::MatrixXd apply(const Eigen::MatrixXd& block) const {
     return solver_.solve(mass_.asDiagonal() * block);
   }
-  [[nodiscard]] double residual(const Eigen::VectorXd& u, double value) const {
-    const Eigen::VectorXd lu = stiffness_.selfadjointView<Eigen::Lower>() * u;
-    const Eigen::VectorXd rest = lu - value * mass_.cwiseProduct(u);
-    return std::sqrt((rest.array().square() / mass_.array()).sum()) / value;
-  }
 
  private:
-  SparseMatrix stiffness_;
   Eigen::VectorXd mass_;
   SparseSolver solver_;
   double area_ = 0, shift_ = 0;
@@ -90,6 +83,7 @@ struct Basis {
 struct RitzPairs {
   Eigen::VectorXd values;     // eigenvalues of the problem, ascending
   Eigen::MatrixXd functions;  // as many columns as wanted
+  double residual = 0;
 };
 
 RitzPairs ritzPairs(const Problem& problem, const Basis& basis, Eigen::Index wanted) {
@@ -109,9 +103,15 @@ RitzPairs ritzPairs(const Problem& problem, const Basis& basis, Eigen::Index wan
   pairs.functions = Eigen::MatrixXd::Zero(problem.mass().size(), wanted);
   for (Eigen::Index k = 0; k < wanted; ++k) {
     const auto coefficients = spectrum.eigenvectors().col(size - 1 - k);
+    const double ritz = spectrum.eigenvalues()[size - 1 - k];
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(problem.mass().size());
     for (Eigen::Index i = 0; i < size; ++i) {
       pairs.functions.col(k) += coefficients[i] * basis.functions[static_cast<std::size_t>(i)];
+      rest += coefficients[i] * basis.images[static_cast<std::size_t>(i)];
     }
+    rest -= ritz * pairs.functions.col(k);
+    problem.removeMean(rest);
+    pairs.residual = std::max(pairs.residual, std::sqrt(problem.dot(rest, rest)) / ritz);
   }
   return pairs;
 }
@@ -194,10 +194,7 @@ LaplacianEigenfunctionsResult laplacianEigenfunctions(const TriangleMesh& surfac
     const int solved = basis.advance(problem);
     result.solves += solved;
     pairs = ritzPairs(problem, basis, options.count);
-    result.residual = 0;
-    for (Eigen::Index k = 0; k < pairs.functions.cols(); ++k) {
-      result.residual = std::max(result.residual, problem.residual(pairs.functions.col(k), pairs.values[k]));
-    }
+    result.residual = pairs.residual;
     execution.report(std::min(0.95, result.solves / 50.0), "eigenfunctions");
     const bool exhausted = solved == 0;
     if (result.residual <= options.tolerance && pairs.functions.cols() >= options.count) {

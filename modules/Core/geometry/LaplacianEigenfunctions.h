@@ -25,7 +25,9 @@ struct LaplacianEigenfunctionsResult {
   Eigen::VectorXd values;         ///< count eigenvalues, ascending, 1/mm²
   Eigen::MatrixXd functions;      ///< n×count, 1/mm: Σ m_i u_i v_i is 1 or 0, Σ m_i u_i = 0
   Status status = Status::NotRun;  ///< Converged, or NotConverged when maxSolves was reached
-  double residual = 0;            ///< max over the pairs of ‖L u − λ M u‖ / λ, norm √(Σ r_i² / m_i)
+  /// max over the pairs of ‖θ⁻¹ (L + σM)⁻¹ M u − u‖, θ = 1/(λ + σ), norm √(Σ m_i r_i²): a bound on the relative error of
+  /// λ + σ that does not suffer from large cotangents
+  double residual = 0;
   int solves = 0;                 ///< right-hand sides solved
   int multiplicity = 1;           ///< eigenvalues that equal the last one to 1e-6, itself included
 };
