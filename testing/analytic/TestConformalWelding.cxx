@@ -290,8 +290,8 @@ TEST(ConformalWelding, InvertsBothMaps) {
 TEST(ConformalWelding, MapsCentresToThePolesOfTheSphere) {
   const ConformalWelding welding(smoothSignature(100));
   const Points2 centre = Points2::Zero(1, 2);
-  EXPECT_LT((welding.mapFirstToSphere(centre) - Points3(Eigen::RowVector3d(0, 0, -1))).norm(), 1e-12);
-  EXPECT_LT((welding.mapSecondToSphere(centre) - Points3(Eigen::RowVector3d(0, 0, 1))).norm(), 1e-12);
+  EXPECT_LT((welding.mapFirstToSphere(centre) - Points3(Eigen::RowVector3d(0, 0, 1))).norm(), 1e-12);
+  EXPECT_LT((welding.mapSecondToSphere(centre) - Points3(Eigen::RowVector3d(0, 0, -1))).norm(), 1e-12);
   EXPECT_LT((welding.curveOnSphere().rowwise().norm().array() - 1).abs().maxCoeff(), 1e-14);
 }
 

@@ -36,12 +36,12 @@ Complex planar(const Projective& p) {
   return p[0] / p[1];
 }
 
-/// (2x, 2y, |w|² − 1)/(|w|² + 1) of w = u/v, without dividing by either.
+/// (2x, 2y, 1 − |w|²)/(1 + |w|²) of w = u/v, without dividing by either.
 Eigen::RowVector3d spherical(const Projective& p) {
   const double largest = std::max(std::abs(p[0]), std::abs(p[1]));
   const Complex u = p[0] / largest, v = p[1] / largest, product = u * std::conj(v);
   const double uu = std::norm(u), vv = std::norm(v), sum = uu + vv;
-  return {2 * product.real() / sum, 2 * product.imag() / sum, (uu - vv) / sum};
+  return {2 * product.real() / sum, 2 * product.imag() / sum, (vv - uu) / sum};
 }
 
 /// The Möbius transformation that takes three points to 0, 1, ∞ (cross-ratio), points given projectively.

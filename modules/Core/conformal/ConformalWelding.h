@@ -116,7 +116,8 @@ class ConformalWelding {
   [[nodiscard]] Eigen::VectorXcd mapFirst(const Points2& points, const Execution& execution = {}) const;
   [[nodiscard]] Eigen::VectorXcd mapSecond(const Points2& points, const Execution& execution = {}) const;
 
-  /// The same followed by (2x, 2y, |w|² − 1) / (|w|² + 1): unit vectors, n×3, 0 ↦ south pole, ∞ ↦ north pole.
+  /// The same followed by (2x, 2y, 1 − |w|²) / (1 + |w|²): unit vectors, n×3; 0 goes to (0, 0, 1) and ∞ to (0, 0, −1), so
+  /// that the sphere seen from outside keeps the orientation of the disks (the projection of @cite nadeem2017 reverses it).
   [[nodiscard]] Points3 mapFirstToSphere(const Points2& points, const Execution& execution = {}) const;
   [[nodiscard]] Points3 mapSecondToSphere(const Points2& points, const Execution& execution = {}) const;
 
