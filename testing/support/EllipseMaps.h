@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 
 namespace authalic::testing {
 
@@ -28,11 +29,18 @@ struct JacobiFunctions {
   }
 };
 
+/// sn(x + iy) by the addition theorem.
+inline std::complex<double> jacobiSn(std::complex<double> u, double k) {
+  const JacobiFunctions f(u.real(), k), g(u.imag(), std::sqrt(1 - k * k));
+  const double below = g.cn * g.cn + k * k * f.sn * f.sn * g.sn * g.sn;
+  return {f.sn * g.dn / below, f.cn * f.dn * g.sn * g.cn / below};
+}
+
 /// The ellipse ((1 + m) cos t, (1 − m) sin t), 0 < m < 1. Its outside is the image of 1/w + m w for |w| < 1, e^{−it}
 /// going to t; its inside goes to the disk by √k sn(2K/π arcsin(z / 2√m)), the modulus k having the nome m².
 class EllipseMaps {
  public:
-  explicit EllipseMaps(double m) {
+  explicit EllipseMaps(double m) : m_(m) {
     double theta2 = 0, theta3 = 1;
     for (int n = 0; n < 40; ++n) theta2 += 2 * std::pow(m, 2 * (n + 0.5) * (n + 0.5));
     for (int n = 1; n < 40; ++n) theta3 += 2 * std::pow(m, 2.0 * n * n);
@@ -45,8 +53,18 @@ class EllipseMaps {
     return std::atan2(f.cn * f.dn, (1 + k_) * f.sn);
   }
 
+  /// Of a point inside the ellipse, in disk 1.
+  [[nodiscard]] std::complex<double> inside(std::complex<double> z) const {
+    return std::sqrt(k_) * jacobiSn(2 * quarter_ / M_PI * std::asin(z / (2 * std::sqrt(m_))), k_);
+  }
+  /// Of a point outside the ellipse, in disk 2.
+  [[nodiscard]] std::complex<double> outside(std::complex<double> z) const {
+    const std::complex<double> root = std::sqrt(z - 2 * std::sqrt(m_)) * std::sqrt(z + 2 * std::sqrt(m_));
+    return 2.0 / (z + root);
+  }
+
  private:
-  double k_ = 0, quarter_ = 0;
+  double m_, k_ = 0, quarter_ = 0;
 };
 
 }  // namespace authalic::testing
