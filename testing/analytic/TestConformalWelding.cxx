@@ -269,6 +269,21 @@ TEST(ConformalWelding, StaysAccurateForFiveThousandUnevenPoints) {
   EXPECT_LT(worst, 1e-4);  // of the distance to the next point, which itself is 1e-8 … 1e-3
 }
 
+TEST(ConformalWelding, MapsEveryPairToItsCurvePointAlsoWhereRoundingLeavesTheCircle) {
+  for (int start = 0; start < 40; ++start) {
+    WeldingSignature signature = smoothSignature(60);
+    signature.firstStart = 0.37 * start;
+    signature.secondStart = 1 - 0.61 * start;
+    const ConformalWelding welding(signature);
+    EXPECT_LT(welding.accuracy().boundaryMismatch, 1e-11) << start;
+    Points2 first(2, 2);  // point 0, just inside and just outside the disk
+    first << std::cos(signature.firstStart), std::sin(signature.firstStart), 0, 0;
+    first.row(1) = first.row(0) * (1 + 3e-16);
+    first.row(0) *= 1 - 3e-16;
+    EXPECT_LT((welding.mapFirst(first).array() - 1.0).abs().maxCoeff(), 1e-11) << start;
+  }
+}
+
 TEST(ConformalWelding, InvertsBothMaps) {
   const ConformalWelding welding(smoothSignature(400));
   const Points2 points = randomDiskPoints(200, 8);

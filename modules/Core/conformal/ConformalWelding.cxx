@@ -123,22 +123,25 @@ HalfPlaneChart::HalfPlaneChart(const Eigen::VectorXd& arcs, double start, bool c
   }
   scale_ = 1 / all[0];
   gaps_ = scale_ * all.tail(n - 3);
-  second_ = onCircle(before[2]);
+  secondAngle_ = before[2];
 }
 
 Complex HalfPlaneChart::toHalfPlane(Complex point) const {
   Complex w = point * std::conj(origin_);
   if (clockwise_) w = std::conj(w);
-  const Complex rest = 1.0 - w;
-  if (rest == 0.0) return {0, 1e100};
-  const double radius = std::abs(w), height = std::max(0.0, (1 - radius) * (1 + radius)) / std::norm(rest);
-  const Complex from = Complex(0, 2) * (w - second_) / (rest * (1.0 - second_));
-  return scale_ * Complex(from.real(), height);
+  const double radius = std::abs(w);
+  if (radius >= 1) {  // −cot ½θ + cot ½θ_2, and ∞ at θ = 0
+    const double angle = std::arg(w);
+    if (angle == 0) return {0, 1e100};
+    return scale_ * std::sin(0.5 * (angle - secondAngle_)) / (std::sin(0.5 * angle) * std::sin(0.5 * secondAngle_));
+  }
+  const Complex rest = 1.0 - w, second = onCircle(secondAngle_);
+  const Complex from = Complex(0, 2) * (w - second) / (rest * (1.0 - second));
+  return scale_ * Complex(from.real(), (1 - radius) * (1 + radius) / std::norm(rest));
 }
 
 Complex HalfPlaneChart::toDisk(Complex point) const {
-  const Complex shift = Complex(0, 1) * (1.0 + second_) / (1.0 - second_);
-  const Complex x = point / scale_ + shift.real();
+  const Complex x = point / scale_ - 1 / std::tan(0.5 * secondAngle_);
   Complex w = std::isfinite(std::abs(x)) ? (x - Complex(0, 1)) / (x + Complex(0, 1)) : Complex(1);
   if (clockwise_) w = std::conj(w);
   return w * origin_;

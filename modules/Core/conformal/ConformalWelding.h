@@ -67,7 +67,8 @@ class HalfPlaneChart {
 
  private:
   Eigen::VectorXd gaps_;
-  Complex origin_{1}, second_;  ///< v_0, and v_2/v_0
+  Complex origin_{1};  ///< v_0
+  double secondAngle_ = M_PI;  ///< from v_0 to v_2
   double scale_ = 1;
   bool clockwise_ = false;
 };
