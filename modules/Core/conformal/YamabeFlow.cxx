@@ -105,7 +105,7 @@ Eigen::VectorXd Flow::direction(bool withOuter) const {
   if (circles_.empty()) return first;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(first.size()), r = residual_, z = first, p = z;
   double rz = r.dot(z);
-  const double enough = 1e-16 * rz;
+  const double forcing = std::clamp(residual_.cwiseAbs().maxCoeff(), 1e-6, 1e-2), enough = forcing * forcing * rz;
   for (int k = 0; k < 60 && rz > enough; ++k) {
     const Eigen::VectorXd product = multiply(p, withOuter);
     const double bend = p.dot(product);
