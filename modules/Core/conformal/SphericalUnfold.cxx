@@ -125,7 +125,7 @@ SphericalUnfoldResult unfoldOnSphere(const Faces& faces, Points3 image, const Ex
   SphericalUnfoldResult result;
   const Points3 before = image;
   std::vector<int> number(at(image.rows()), -1);
-  for (int rings = 0; rings <= kMostRings && countFlippedOnSphere(image, faces) > 0; rings = rings > 0 ? 2 * rings : 1) {
+  for (int rings = 1; rings <= kMostRings && countFlippedOnSphere(image, faces) > 0; rings *= 2) {
     if (execution.cancelled()) break;
     std::vector<char> marked = cornersOfFolds(faces, image);
     grow(faces, rings, marked);

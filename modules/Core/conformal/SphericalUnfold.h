@@ -16,7 +16,7 @@ struct SphericalUnfoldResult {
 
 /// Unfold the faces of a spherical image whose signed volume is not positive.
 ///
-/// The vertices within 0, 1, 2, 4, … 32 edges of a fold are put where each is the weighted mean of its neighbours, the rest
+/// The vertices within 1, 2, 4, … 32 edges of a fold are put where each is the weighted mean of its neighbours, the rest
 /// held, in the gnomonic chart of each patch: great circles are lines there, so that a face is folded on the sphere
 /// exactly when it is in the chart. The weights are the mean-value weights of the image itself with unsigned angles
 /// @cite floater2003: positive, and such that a vertex without a fold around it is already at its mean. The image

@@ -14,9 +14,10 @@ namespace authalic {
 
 struct LevelSetCutOptions {
   double level = 0;
-  /// The seam crosses an edge between these fractions of its length, at most ½: a level set that passes a vertex
-  /// is moved away from it, so that no sliver arises and every crossing is generic.
-  double clearance = 0.1;
+  /// The seam keeps this fraction of an edge from its ends, at most ½, so that a level set through vertices needs no special
+  /// case. Small: a smooth seam, and a few tiny faces that a Delaunay flip removes; 0.1 and more: no tiny faces, but a
+  /// seam with corners.
+  double clearance = 1e-3;
 
   /// @throws InvalidArgument when clearance is outside (0, 0.5] or the level is not finite
   void validate() const;
