@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -15,94 +16,101 @@
 namespace authalic {
 namespace {
 
-constexpr double kMostDrift = 1e-3;  // of the centre of mass, before it is brought back
-
-Eigen::MatrixXd tangential(const Eigen::MatrixXd& f, const Eigen::MatrixXd& v) {
+Points3 tangential(const Points3& f, const Points3& v) {
   const Eigen::VectorXd normal = f.cwiseProduct(v).rowwise().sum();
   return v - normal.asDiagonal() * f;
 }
 
-// The descent: current map, its gradient, and the conjugate direction.
+// A map, its energy and the tangential part of Lf.
+struct Iterate {
+  Points3 map, gradient;
+  double energy = 0;
+};
+
+// Conjugate gradients on the maps to the sphere.
 class Descent {
  public:
   Descent(const SphereMesh& sphere, const SphereLaplacian& laplacian, const Points3& start)
-      : sphere_(sphere), laplacian_(laplacian),
+      : laplacian_(laplacian),
         share_(vertexStars(faceAreas(sphere.mesh()), sphere.mesh().faces(), sphere.mesh().vertexCount())) {
     share_ /= share_.sum();
-    restart(start);
+    now_ = at(start);
+    precondition();
   }
 
-  // Brings the centre of mass to 0 and forgets the directions.
-  void restart(const Eigen::MatrixXd& map) {
-    const Points3 points = map;
-    moveTo(centreOfSphericalMassToOrigin(points, share_).map(points));
-    direction_.resize(0, 0);
-  }
-
-  [[nodiscard]] double residual() const { return std::sqrt(std::max(slope_, 0.0) / (2 * energy_)); }
-  [[nodiscard]] double drift() const { return (share_.transpose() * map_).norm(); }
-  [[nodiscard]] const Eigen::MatrixXd& map() const { return map_; }
+  [[nodiscard]] double residual() const { return std::sqrt(std::max(slope_, 0.0) / (2 * now_.energy)); }
+  [[nodiscard]] const Points3& map() const { return now_.map; }
 
   // One conjugate step. @return false when the energy cannot be lowered
   bool step() {
     chooseDirection();
-    const Eigen::MatrixXd start = map_, image = stiff_;
-    const double energy = energy_, slope = gradient_.cwiseProduct(direction_).sum();
-    // Along a straight line E would be a parabola with this minimum.
-    const double curvature = direction_.cwiseProduct(laplacian_.multiply(direction_)).sum();
-    double length = std::min(1.0, -slope / std::max(curvature, 1e-300)) * stretch_;
-    for (int halving = 0; halving < 20; ++halving, length *= 0.5) {
-      const Eigen::MatrixXd next = (start + length * direction_).rowwise().normalized();
-      const double there = laplacian_.energy(next);
-      if (!(there <= energy + 1e-4 * length * slope)) continue;
-      moveTo(next);
+    const double slope = now_.gradient.cwiseProduct(direction_).sum();
+    for (int halving = 0; halving < 20; ++halving, length_ *= 0.5) {
+      Iterate next = along(length_);
+      if (!lowers(next, length_ * slope)) continue;
+      // The place where the slope vanishes if it falls evenly.
+      const double fall = 1 - next.gradient.cwiseProduct(direction_).sum() / slope;
+      length_ *= std::clamp(1 / std::max(fall, 1e-3), 0.5, 2.0);
+      Iterate better = along(length_);
+      if (better.energy < next.energy) next = std::move(better);
+      const Points3 before = std::move(now_.gradient);
+      const double previous = slope_;
+      now_ = std::move(next);
+      precondition();
+      const double mixed = -before.cwiseProduct(steepest_).sum();
+      beta_ = previous > 0 ? std::max(0.0, (slope_ - mixed) / previous) : 0;  // Polak–Ribière
       return true;
     }
-    map_ = start;
-    stiff_ = image;
+    length_ = 1;
     return false;
   }
 
  private:
-  void moveTo(const Eigen::MatrixXd& map) {
-    map_ = map;
-    stiff_ = laplacian_.multiply(map_);
-    energy_ = 0.5 * map_.cwiseProduct(stiff_).sum();
-    const Eigen::MatrixXd before = gradient_;
-    gradient_ = tangential(map_, stiff_);
-    const Eigen::MatrixXd free = gradient_ - boostWith(gradient_.colwise().sum().transpose());
-    Eigen::MatrixXd descent = tangential(map_, -laplacian_.solve(free));
-    descent -= share_.cwiseInverse().asDiagonal() * boostWith(descent.transpose() * share_);
-    previousSlope_ = slope_;
-    slope_ = -gradient_.cwiseProduct(descent).sum();
-    mixed_ = before.size() > 0 ? -before.cwiseProduct(descent).sum() : 0;
-    steepest_ = descent;
+  // With the centre of mass brought to 0: a change of second order along our directions.
+  [[nodiscard]] Iterate at(const Points3& map) const {
+    Iterate there;
+    there.map = centreOfSphericalMassToOrigin(map, share_, 1e-11).map(map);
+    there.energy = laplacian_.energy(there.map);
+    there.gradient = tangential(there.map, laplacian_.multiply(there.map));
+    return there;
   }
 
-  // The field share_i P_i c, P_i: onto the tangent plane at i, whose sum is the given vector: an infinitesimal Möbius
-  // transformation, weighted by area.
-  [[nodiscard]] Eigen::MatrixXd boostWith(const Eigen::Vector3d& sum) const {
-    const Eigen::Matrix3d total = Eigen::Matrix3d::Identity() - map_.transpose() * share_.asDiagonal() * map_;
-    const Eigen::RowVector3d c = total.ldlt().solve(sum).transpose();
-    return share_.asDiagonal() * tangential(map_, c.replicate(map_.rows(), 1));
+  [[nodiscard]] Iterate along(double length) const { return at((now_.map + length * direction_).rowwise().normalized()); }
+
+  // Enough by Armijo's rule; where the energy is flat to rounding, not to rise is enough.
+  [[nodiscard]] bool lowers(const Iterate& next, double expected) const {
+    const double bound = -expected > 1e-11 * now_.energy ? 1e-4 * expected : 1e-14 * now_.energy;
+    return next.energy <= now_.energy + bound;
+  }
+
+  void precondition() {
+    const Points3 free =
+        now_.gradient - share_.asDiagonal() * boostWith(now_.gradient.colwise().sum().transpose());
+    steepest_ = tangential(now_.map, -laplacian_.solve(free));
+    steepest_ -= boostWith(steepest_.transpose() * share_);
+    slope_ = -now_.gradient.cwiseProduct(steepest_).sum();
+  }
+
+  // The infinitesimal Möbius transformation P_i c, P_i: onto the tangent plane at i, with the given mean over the surface.
+  [[nodiscard]] Points3 boostWith(const Eigen::Vector3d& mean) const {
+    const Eigen::Matrix3d total = Eigen::Matrix3d::Identity() - now_.map.transpose() * share_.asDiagonal() * now_.map;
+    const Eigen::RowVector3d c = total.ldlt().solve(mean).transpose();
+    return tangential(now_.map, c.replicate(now_.map.rows(), 1));
   }
 
   void chooseDirection() {
-    // Polak–Ribière, restarted when it points uphill.
-    const double beta = direction_.size() > 0 && previousSlope_ > 0 ? std::max(0.0, (slope_ - mixed_) / previousSlope_) : 0;
-    if (beta > 0) {
-      direction_ = steepest_ + beta * tangential(map_, direction_);
-    } else {
-      direction_ = steepest_;
+    if (direction_.size() > 0 && beta_ > 0) {
+      direction_ = steepest_ + beta_ * tangential(now_.map, direction_);
+      if (now_.gradient.cwiseProduct(direction_).sum() < -0.1 * slope_) return;  // else it points too far uphill
     }
-    if (!(gradient_.cwiseProduct(direction_).sum() < -0.1 * slope_)) direction_ = steepest_;
+    direction_ = steepest_;
   }
 
-  const SphereMesh& sphere_;
   const SphereLaplacian& laplacian_;
   Eigen::VectorXd share_;
-  Eigen::MatrixXd map_, stiff_, gradient_, steepest_, direction_;
-  double energy_ = 0, slope_ = 0, previousSlope_ = 0, mixed_ = 0, stretch_ = 1;
+  Iterate now_;
+  Points3 steepest_, direction_;
+  double slope_ = 0, beta_ = 0, length_ = 1;
 };
 
 }  // namespace
@@ -138,10 +146,8 @@ SphericalMapResult harmonicSphereMap(const SphereMesh& sphere, const SphereLapla
     if (execution.cancelled()) result.status = Status::Cancelled;
     if (result.status != Status::NotConverged || result.iterations >= options.maxIterations) break;
     execution.report(double(result.iterations) / options.maxIterations, "Harmonic map");
-    if (descent.drift() > kMostDrift) descent.restart(descent.map());
     if (!descent.step()) result.status = Status::Stalled;
   }
-  descent.restart(descent.map());
   result.image = descent.map();
   result.flippedFaces = countFlippedOnSphere(result.image, sphere.mesh().faces());
   result.degenerateFaces = static_cast<int>((faceAreas(sphere.mesh()).array() <= 0).count());
