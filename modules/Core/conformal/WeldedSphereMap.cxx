@@ -7,7 +7,7 @@
 
 #include "Core/base/Error.h"
 #include "Core/conformal/SphereNormalisation.h"
-#include "Core/conformal/SphericalUnfold.h"
+#include "Core/conformal/UnfoldOnSphere.h"
 #include "Core/conformal/WeldedHalves.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/LaplacianEigenfunctions.h"
@@ -89,8 +89,8 @@ WeldedSphereMapResult weldedSphereMap(const SphereMesh& sphere, const WeldedSphe
   result.degenerateFaces = static_cast<int>((faceAreas(sphere.mesh()).array() <= 0).count());
   Points3 points = sphere.mesh().points();
   result.separatedVertices = separateCoincidentVertices(faces, points);
-  const LevelSetCutResult cut = cutAtFirstEigenfunction(
-      result.separatedVertices > 0 ? SphereMesh(TriangleMesh(points, faces)) : sphere, options, execution.part(0, 0.2), result);
+  const SphereMesh separated = result.separatedVertices > 0 ? SphereMesh(TriangleMesh(points, faces)) : sphere;
+  const LevelSetCutResult cut = cutAtFirstEigenfunction(separated, options, execution.part(0, 0.2), result);
   const Points2 above = mapHalf(cut.above, options.riemann, execution.part(0.2, 0.5), result, result.halves[0]);
   const Points2 below = mapHalf(cut.below, options.riemann, execution.part(0.5, 0.8), result, result.halves[1]);
   const WeldedHalves welded = weldHalves(cut, above, below, execution.part(0.8, 0.95));
@@ -101,7 +101,7 @@ WeldedSphereMapResult weldedSphereMap(const SphereMesh& sphere, const WeldedSphe
   result.image = normaliseSphere(sphere.mesh(), welded.image, centring).image;
   result.flippedBeforeUnfold = result.flippedFaces = countFlippedOnSphere(result.image, faces);
   if (options.unfold && result.flippedFaces > 0) {
-    SphericalUnfoldResult unfolded = unfoldOnSphere(faces, std::move(result.image), execution);
+    SphereUnfolding unfolded = unfoldOnSphere(separated, std::move(result.image));
     result.image = std::move(unfolded.image);
     result.movedVertices = unfolded.movedVertices;
     result.flippedFaces = unfolded.flippedFaces;
