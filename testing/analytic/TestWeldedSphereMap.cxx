@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "Core/base/Error.h"
 #include "Core/conformal/SphereNormalisation.h"
@@ -14,18 +13,7 @@ using namespace authalic::testing;
 
 namespace {
 
-/// Closed, without symmetry: every vertex of the sphere at a distance of 1 plus waves.
-TriangleMesh bumpySphere(int level) {
-  const TriangleMesh mesh = sphereMesh(level);
-  Points3 points = mesh.points();
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const double x = points(i, 0), y = points(i, 1), z = points(i, 2);
-    points.row(i) *= 1 + 0.25 * std::sin(3 * x + 1) * std::cos(2 * y) + 0.2 * x * z + 0.3 * z;
-  }
-  return TriangleMesh(points, mesh.faces());
-}
-
-/// Area-weighted root mean square distance of two images, both in their normal position.
+/// Root mean square distance of two images, both in their normal position.
 double distance(const TriangleMesh& surface, const Points3& one, const Points3& other) {
   const Points3 difference = normaliseSphere(surface, one).image - normaliseSphere(surface, other).image;
   return std::sqrt(difference.rowwise().squaredNorm().mean());
