@@ -33,14 +33,17 @@ void closeGaps(double a, double b, Eigen::Index from, Eigen::VectorXd& gaps) {
   }
 }
 
-constexpr int kBlock = 64;
+/// Points side by side, so that the compiler vectorises the loops over them.
+template <int N>
 struct Block {
-  std::array<double, kBlock> x, y;
+  std::array<double, N> x, y;
 };
+constexpr int kBlock = 64;
 
-/// √(x + shift + iy) for y ≥ 0, in the closed first quadrant. Written to be vectorised.
-void shiftedRoot(const Block& z, double shift, Block& root) {
-  for (int i = 0; i < kBlock; ++i) {
+/// √(x + shift + iy) for y ≥ 0, in the closed first quadrant.
+template <int N>
+void shiftedRoot(const Block<N>& z, double shift, Block<N>& root) {
+  for (int i = 0; i < N; ++i) {
     const double x = z.x[i] + shift, y = z.y[i];
     const double large = std::sqrt(0.5 * (std::sqrt(x * x + y * y) + std::fabs(x)));
     const double small = y / (2 * (large > 1e-200 ? large : 1e-200));
@@ -49,12 +52,13 @@ void shiftedRoot(const Block& z, double shift, Block& root) {
   }
 }
 
-void closeBlock(double a, double b, Block& z) {
-  Block p, q;
+template <int N>
+void closeBlock(double a, double b, Block<N>& z) {
+  Block<N> p, q;
   shiftedRoot(z, -a, p);
   shiftedRoot(z, b, q);
   const double half = 0.5 * (a + b);
-  for (int i = 0; i < kBlock; ++i) {
+  for (int i = 0; i < N; ++i) {
     const double sx = p.x[i] + q.x[i], sy = p.y[i] + q.y[i];
     const double mx = p.x[i] * q.x[i] - p.y[i] * q.y[i], my = p.x[i] * q.y[i] + p.y[i] * q.x[i];
     const double nx = mx * sx - my * sy, ny = mx * sy + my * sx;
@@ -67,12 +71,9 @@ void closeBlock(double a, double b, Block& z) {
 }
 
 Complex closePoint(double a, double b, Complex z) {
-  Block block{};
-  block.x.fill(1 + a);
-  block.x[0] = z.real();
-  block.y[0] = z.imag();
-  closeBlock(a, b, block);
-  return {block.x[0], block.y[0]};
+  Block<1> point{{z.real()}, {z.imag()}};
+  closeBlock(a, b, point);
+  return {point.x[0], point.y[0]};
 }
 
 /// The inverse of one step. With W = 2w/(a + b), κ = (a − b)/(a + b), μ = √(1 + 2κW + W²) = (1 + κW) m:
@@ -122,7 +123,7 @@ std::vector<Complex> Zipper::close(const std::vector<Traveller>& travellers, boo
     for (std::size_t block = begin; block < end; ++block) {
       const std::size_t first = block * kBlock, count = std::min<std::size_t>(kBlock, travellers.size() - first);
       const Eigen::Index start = travellers[first + count - 1].step;
-      Block z{};
+      Block<kBlock> z{};
       for (std::size_t i = 0; i < kBlock; ++i) {
         Traveller traveller = travellers[first + std::min(i, count - 1)];
         for (; traveller.step < start; ++traveller.step) {
