@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -135,6 +136,13 @@ void StereographicSphereMapOptions::validate() const {
   }
 }
 
+Points3 liftCentred(const TriangleMesh& surface, Points2 plane) {
+  const Eigen::VectorXd mass = vertexMass(surface);
+  centreInPlane(mass, plane);
+  const Points3 lifted = liftToSphere(plane);
+  return centreOfSphericalMassToOrigin(lifted, mass).map(lifted);
+}
+
 Points3 dipoleSphereMap(const SphereMesh& sphere, const SphereLaplacian& laplacian, int puncturedFace) {
   const TriangleMesh& mesh = sphere.mesh();
   if (puncturedFace >= mesh.faceCount()) {
@@ -144,10 +152,7 @@ Points3 dipoleSphereMap(const SphereMesh& sphere, const SphereLaplacian& laplaci
   Points2 plane = laplacian.solve(dipole(mesh, puncturedFace));
   // Seen from outside the sphere the punctured face is the outer one.
   if ((signedFaceAreas(plane, mesh.faces()).array() > 0).count() * 2 > mesh.faceCount()) plane.col(1) *= -1;
-  const Eigen::VectorXd mass = vertexMass(mesh);
-  centreInPlane(mass, plane);
-  const Points3 lifted = liftToSphere(plane);
-  return centreOfSphericalMassToOrigin(lifted, mass).map(lifted);
+  return liftCentred(mesh, std::move(plane));
 }
 
 SphericalMapResult stereographicSphereMap(const SphereMesh& sphere, const StereographicSphereMapOptions& options,

@@ -42,6 +42,10 @@ struct StereographicSphereMapOptions {
                                                         const StereographicSphereMapOptions& options = {},
                                                         const Execution& execution = {});
 
+/// A planar image of a punctured sphere, lifted so that the surface has its centre of mass at 0 (see normaliseSphere).
+/// @param plane  n×2 of any place and size; clockwise, as the sphere is seen from outside with the pole at infinity
+[[nodiscard]] Points3 liftCentred(const TriangleMesh& surface, Points2 plane);
+
 /// The first solve alone, with a Laplacian that is already factorised: n×3 on the sphere, centre of mass at 0.
 [[nodiscard]] Points3 dipoleSphereMap(const SphereMesh& sphere, const SphereLaplacian& laplacian, int puncturedFace);
 
