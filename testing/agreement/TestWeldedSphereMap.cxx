@@ -13,7 +13,7 @@ using namespace authalic::testing;
 
 TEST(WeldedSphereMap, AgreesWithTheHarmonicRoadAtSecondOrder) {
   const auto difference = [](int level) {
-    const SphereMesh surface(bumpySphere(level));
+    const SphereMesh surface(wavySphere(level));
     const Points3 welded = normaliseSphere(surface.mesh(), weldedSphereMap(surface).image).image;
     const Points3 start = stereographicSphereMap(surface).image;
     const Points3 harmonic = normaliseSphere(surface.mesh(), harmonicSphereMap(surface, start).image).image;

@@ -57,11 +57,11 @@ TEST(WeldedSphereMap, OfASpheroidIsItsIsometricLatitude) {
 
 TEST(WeldedSphereMap, KeepsAnglesBetterOnFinerMeshesAndFoldsNothing) {
   const auto angleError = [](int level) {
-    const SphereMesh surface(bumpySphere(level));
+    const SphereMesh surface(wavySphere(level));
     const WeldedSphereMapResult result = weldedSphereMap(surface);
     EXPECT_EQ(result.status, Status::Converged);
     EXPECT_EQ(result.flippedFaces, 0);
-    EXPECT_EQ(result.flippedBeforeUnfold, 0);
+    EXPECT_EQ(result.flippedBeforeUnfolding, 0);
     EXPECT_LT(result.accuracy.boundaryMismatch, 1e-10);
     EXPECT_GT(result.seamPoints, 40);
     EXPECT_EQ(result.mergedPieces, 0);
@@ -75,7 +75,7 @@ TEST(WeldedSphereMap, KeepsAnglesBetterOnFinerMeshesAndFoldsNothing) {
 }
 
 TEST(WeldedSphereMap, CommutesWithSimilaritiesAndRenumbering) {
-  const TriangleMesh surface = bumpySphere(3);
+  const TriangleMesh surface = wavySphere(3);
   const Points3 image = imageOf(surface);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Eigen::Vector3d(1, -1, 0.3).normalized()).toRotationMatrix();
   const TriangleMesh moved((7 * surface.points() * turn.transpose()).rowwise() + Eigen::RowVector3d(1, 2, 3),
@@ -89,7 +89,7 @@ TEST(WeldedSphereMap, CommutesWithSimilaritiesAndRenumbering) {
 
 TEST(WeldedSphereMap, HardlyDependsOnWhereTheSeamRuns) {
   const auto difference = [](int level, double clearance) {
-    const SphereMesh surface(bumpySphere(level));
+    const SphereMesh surface(wavySphere(level));
     WeldedSphereMapOptions here, elsewhere;
     here.cut.clearance = elsewhere.cut.clearance = clearance;
     elsewhere.cut.level = 0.1;
@@ -102,7 +102,7 @@ TEST(WeldedSphereMap, HardlyDependsOnWhereTheSeamRuns) {
 }
 
 TEST(WeldedSphereMap, SeparatesVerticesAtTheSamePlace) {
-  TriangleMesh surface = bumpySphere(3);
+  TriangleMesh surface = wavySphere(3);
   Points3 points = surface.points();
   points.row(surface.faces()(100, 1)) = points.row(surface.faces()(100, 0));
   const WeldedSphereMapResult result = weldedSphereMap(SphereMesh(TriangleMesh(points, surface.faces())));
@@ -114,21 +114,21 @@ TEST(WeldedSphereMap, SeparatesVerticesAtTheSamePlace) {
 }
 
 TEST(WeldedSphereMap, GivesTheSameBitsOnAnyNumberOfThreads) {
-  const SphereMesh surface(bumpySphere(3));
+  const SphereMesh surface(wavySphere(3));
   EXPECT_EQ(weldedSphereMap(surface, {}, Execution({}, {}, 1)).image, weldedSphereMap(surface, {}, Execution({}, {}, 4)).image);
 }
 
 TEST(WeldedSphereMap, ReportsFlowsThatDidNotConverge) {
   WeldedSphereMapOptions options;
   options.riemann.flow.maxIterations = 1;
-  const WeldedSphereMapResult result = weldedSphereMap(SphereMesh(bumpySphere(3)), options);
+  const WeldedSphereMapResult result = weldedSphereMap(SphereMesh(wavySphere(3)), options);
   EXPECT_NE(result.status, Status::Converged);
   EXPECT_GT(result.residual, options.riemann.flow.tolerance);
-  EXPECT_EQ(result.image.rows(), bumpySphere(3).vertexCount());
+  EXPECT_EQ(result.image.rows(), wavySphere(3).vertexCount());
 }
 
 TEST(WeldedSphereMap, RefusesBadOptionsAndStopsOnRequest) {
-  const SphereMesh surface(bumpySphere(2));
+  const SphereMesh surface(wavySphere(2));
   WeldedSphereMapOptions options;
   options.eigenTolerance = 0;
   EXPECT_THROW((void)weldedSphereMap(surface, options), InvalidArgument);

@@ -52,7 +52,7 @@ void weldedSphere(benchmark::State& state) {
   WeldedSphereMapResult result;
   for (auto _ : state) result = weldedSphereMap(sphere);
   count(state, sphere, result.image);
-  state.counters["folds_before"] = result.flippedBeforeUnfold;
+  state.counters["folds_before"] = result.flippedBeforeUnfolding;
   state.counters["seam"] = result.seamPoints;
   state.counters["mismatch"] = result.accuracy.boundaryMismatch;
 }

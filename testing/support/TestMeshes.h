@@ -128,7 +128,7 @@ inline TriangleMesh sphereMesh(int levels) {
 }
 
 /// Closed, no symmetry: the vertices of the sphere at a distance of 1 plus waves.
-inline TriangleMesh bumpySphere(int levels) {
+inline TriangleMesh wavySphere(int levels) {
   const TriangleMesh mesh = sphereMesh(levels);
   Points3 points = mesh.points();
   for (Eigen::Index i = 0; i < points.rows(); ++i) {

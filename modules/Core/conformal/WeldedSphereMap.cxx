@@ -98,12 +98,14 @@ WeldedSphereMapResult weldedSphereMap(const SphereMesh& sphere, const WeldedSphe
   result.accuracy = welded.welding.accuracy(execution);
   SphereNormalisationOptions centring;
   centring.rotation = SphereRotation::None;
-  result.image = normaliseSphere(sphere.mesh(), welded.image, centring).image;
-  result.flippedBeforeUnfold = result.flippedFaces = countFlippedOnSphere(result.image, faces);
+  SphereNormalisation centred = normaliseSphere(sphere.mesh(), welded.image, centring);
+  result.image = std::move(centred.image);
+  result.centreOfMass = centred.residual;
+  result.flippedBeforeUnfolding = result.flippedFaces = countFlippedOnSphere(result.image, faces);
   if (options.unfold && result.flippedFaces > 0) {
     SphereUnfolding unfolded = unfoldOnSphere(separated, std::move(result.image));
     result.image = std::move(unfolded.image);
-    result.movedVertices = unfolded.movedVertices;
+    result.unfoldedVertices = unfolded.movedVertices;
     result.flippedFaces = unfolded.flippedFaces;
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -16,7 +16,7 @@ namespace authalic {
 struct WeldedSphereMapOptions {
   LevelSetCutOptions cut;      ///< of the first eigenfunction, whose values are of the order 1/√area
   RiemannMapOptions riemann;   ///< of both halves; what goes to their centres does not matter
-  double eigenTolerance = 1e-4;  ///< of the eigenfunction that only chooses the seam, > 0
+  double eigenTolerance = 1e-8;  ///< of the eigenfunction whose zero set is the seam, > 0
   bool unfold = true;          ///< re-embed patches around folded faces
 
   /// @throws InvalidArgument when a field is outside its range
@@ -41,8 +41,6 @@ struct WeldedSphereMapResult : SphericalMapResult {
   int mergedPieces = 0;   ///< see LevelSetCutResult
   std::array<WeldedHalfReport, 2> halves;  ///< above, below
   WeldingAccuracy accuracy;
-  int flippedBeforeUnfold = 0;  ///< faces folded after welding
-  int movedVertices = 0;        ///< by unfolding
   int separatedVertices = 0;    ///< ends of edges without length, moved apart before anything else
 };
 
