@@ -313,7 +313,8 @@ TEST(ConformalWelding, MapsCentresToThePolesOfTheSphere) {
 TEST(ConformalWelding, GivesTheSameBitsOnAnyNumberOfThreads) {
   const ConformalWelding welding(smoothSignature(200));
   const Points2 points = randomDiskPoints(1000, 6);
-  EXPECT_EQ(welding.mapSecondToSphere(points, Execution({}, {}, 1)), welding.mapSecondToSphere(points, Execution({}, {}, 3)));
+  const Points3 one = welding.mapSecondToSphere(points, Execution({}, {}, 1));
+  EXPECT_EQ(one, welding.mapSecondToSphere(points, Execution({}, {}, 3)));
 }
 
 TEST(ConformalWelding, RefusesSignaturesThatAreNone) {

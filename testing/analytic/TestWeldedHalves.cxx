@@ -60,7 +60,8 @@ TEST(WeldedHalves, OfTwoHemispheresByTheIdentityAreTheSphere) {
   const SphereMesh sphere(turnedSphere(4));
   const LevelSetCutResult cut = cutAtEquator(sphere);
   const Points2 above = halfImage(cut.above, [](Complex w) { return w; }, onCircle);
-  const Points2 below = halfImage(cut.below, [](Complex w) { return 1.0 / w; }, [](Complex w) { return std::conj(onCircle(w)); });
+  const Points2 below = halfImage(cut.below, [](Complex w) { return 1.0 / w; },
+                                  [](Complex w) { return std::conj(onCircle(w)); });
   const WeldedHalves welded = weldHalves(cut, above, below);
   EXPECT_EQ(countFlippedOnSphere(welded.image, sphere.mesh().faces()), 0);
   EXPECT_LT(distanceFromIdentity(sphere, welded.image), 1e-10);
@@ -69,7 +70,8 @@ TEST(WeldedHalves, OfTwoHemispheresByTheIdentityAreTheSphere) {
 TEST(WeldedHalves, OfHemispheresInAnyDiskPositionAreTheSphere) {
   const SphereMesh sphere(turnedSphere(4));
   const LevelSetCutResult cut = cutAtEquator(sphere);
-  const Mobius first = Mobius::rotation(1) * Mobius::diskToOrigin({0.6, 0.3}), second = Mobius::diskToOrigin({-0.2, 0.7});
+  const Mobius first = Mobius::rotation(1) * Mobius::diskToOrigin({0.6, 0.3});
+  const Mobius second = Mobius::diskToOrigin({-0.2, 0.7});
   const Points2 above = halfImage(cut.above, first, [&](Complex w) { return first(onCircle(w)); });
   const Points2 below = halfImage(cut.below, [&](Complex w) { return second(1.0 / w); },
                                   [&](Complex w) { return second(std::conj(onCircle(w))); });
@@ -105,7 +107,8 @@ TEST(WeldedHalves, RefuseImagesThatDoNotFit) {
   const SphereMesh sphere(turnedSphere(2));
   const LevelSetCutResult cut = cutAtEquator(sphere);
   const Points2 above = halfImage(cut.above, [](Complex w) { return w; }, onCircle);
-  const Points2 below = halfImage(cut.below, [](Complex w) { return 1.0 / w; }, [](Complex w) { return std::conj(onCircle(w)); });
+  const Points2 below = halfImage(cut.below, [](Complex w) { return 1.0 / w; },
+                                  [](Complex w) { return std::conj(onCircle(w)); });
   EXPECT_NO_THROW((void)weldHalves(cut, above, below));
   EXPECT_THROW((void)weldHalves(cut, above.topRows(5), below), InvalidArgument);
   EXPECT_THROW((void)weldHalves(cut, above, below.topRows(5)), InvalidArgument);

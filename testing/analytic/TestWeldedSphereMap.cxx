@@ -115,7 +115,8 @@ TEST(WeldedSphereMap, SeparatesVerticesAtTheSamePlace) {
 
 TEST(WeldedSphereMap, GivesTheSameBitsOnAnyNumberOfThreads) {
   const SphereMesh surface(wavySphere(3));
-  EXPECT_EQ(weldedSphereMap(surface, {}, Execution({}, {}, 1)).image, weldedSphereMap(surface, {}, Execution({}, {}, 4)).image);
+  const Points3 one = weldedSphereMap(surface, {}, Execution({}, {}, 1)).image;
+  EXPECT_EQ(one, weldedSphereMap(surface, {}, Execution({}, {}, 4)).image);
 }
 
 TEST(WeldedSphereMap, ReportsFlowsThatDidNotConverge) {

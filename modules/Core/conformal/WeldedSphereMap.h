@@ -53,15 +53,17 @@ struct WeldedSphereMapResult : SphericalMapResult {
 ///   5. unfold the few faces that are folded, if any (unfoldOnSphere).
 ///
 /// The image is that of the surface's own vertices and faces; seam points serve the way only. No step has a pole, a
-/// starting map or a preferred vertex. The angles along the seam are as good as elsewhere: the zipper matches every seam
-/// point, and its error between them is of higher order than that of the halves.
+/// starting map or a preferred vertex. The angles along the seam are as good as elsewhere: the zipper matches every
+/// seam point, and its error between them is of higher order than that of the halves.
 ///
-/// Guarantees: commutes with similarities and renumbering, up to a rotation and the tolerances; the same bits at any thread count.
+/// Guarantees: commutes with similarities and renumbering, up to a rotation and the tolerances; the same bits at any
+/// thread count.
 /// Status: Converged when both flows are. Not guaranteed: no folded face → `flippedFaces`.
 /// Complexity O(n^1.5) for the flows and O(n s) for a seam of s points.
 /// @throws InvalidArgument from options; SolverError; GeometryError when the surface has no area
 /// @throws CancelledError when the caller stops
-[[nodiscard]] WeldedSphereMapResult weldedSphereMap(const SphereMesh& sphere, const WeldedSphereMapOptions& options = {},
+[[nodiscard]] WeldedSphereMapResult weldedSphereMap(const SphereMesh& sphere,
+                                                    const WeldedSphereMapOptions& options = {},
                                                     const Execution& execution = {});
 
 }  // namespace authalic

@@ -12,8 +12,8 @@
 
 namespace authalic {
 
-/// The seam while it is being closed: the upper half-plane with the tip at 0 and v_0 at ∞. The open points of side 1 lie
-/// on the positive half-axis, those of side 2 on the negative; both are kept as gaps between neighbours, the first
+/// The seam while it is being closed: the upper half-plane with the tip at 0 and v_0 at ∞. The open points of side 1
+/// lie on the positive half-axis, those of side 2 on the negative; both are kept as gaps between neighbours, the first
 /// gap starting at the tip, because gaps keep their relative accuracy where positions would not.
 struct OpenSeam {
   Eigen::VectorXd first, second;  ///< as many gaps > 0 on both sides

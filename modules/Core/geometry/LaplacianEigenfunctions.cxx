@@ -91,15 +91,22 @@ RitzPairs ritzPairs(const Problem& problem, const Basis& basis, Eigen::Index wan
   Eigen::MatrixXd projected(size, size);
   for (Eigen::Index j = 0; j < size; ++j) {
     const Eigen::VectorXd weighted = problem.mass().cwiseProduct(basis.images[static_cast<std::size_t>(j)]);
-    for (Eigen::Index i = 0; i < size; ++i) projected(i, j) = basis.functions[static_cast<std::size_t>(i)].dot(weighted);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      projected(i, j) = basis.functions[static_cast<std::size_t>(i)].dot(weighted);
+    }
   }
   projected = (0.5 * (projected + projected.transpose())).eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(projected);
   RitzPairs pairs;
   pairs.values.resize(size);
-  for (Eigen::Index k = 0; k < size; ++k) pairs.values[k] = problem.eigenvalue(spectrum.eigenvalues()[size - 1 - k]);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    pairs.values[k] = problem.eigenvalue(spectrum.eigenvalues()[size - 1 - k]);
+  }
   wanted = std::min(wanted, size);
-  while (wanted < size && pairs.values[wanted] - pairs.values[wanted - 1] <= kEqual * pairs.values[wanted - 1]) ++wanted;
+  const auto equalsNext = [&](Eigen::Index k) {
+    return pairs.values[k] - pairs.values[k - 1] <= kEqual * pairs.values[k - 1];
+  };
+  while (wanted < size && equalsNext(wanted)) ++wanted;
   pairs.functions = Eigen::MatrixXd::Zero(problem.mass().size(), wanted);
   for (Eigen::Index k = 0; k < wanted; ++k) {
     const auto coefficients = spectrum.eigenvectors().col(size - 1 - k);
@@ -130,7 +137,9 @@ Eigen::MatrixXd centredCoordinates(const TriangleMesh& surface, const Problem& p
 void fixGauge(const Problem& problem, const Eigen::MatrixXd& coordinates, RitzPairs& pairs) {
   const Eigen::Index count = pairs.functions.cols();
   double largest = 0;
-  for (Eigen::Index k = 0; k < 3; ++k) largest = std::max(largest, problem.dot(coordinates.col(k), coordinates.col(k)));
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    largest = std::max(largest, problem.dot(coordinates.col(k), coordinates.col(k)));
+  }
   for (Eigen::Index from = 0, to = 1; from < count; from = to++) {
     while (to < count && pairs.values[to] - pairs.values[to - 1] <= kEqual * pairs.values[to - 1]) ++to;
     const Eigen::MatrixXd space = pairs.functions.middleCols(from, to - from);

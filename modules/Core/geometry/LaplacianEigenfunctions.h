@@ -25,21 +25,21 @@ struct LaplacianEigenfunctionsResult {
   Eigen::VectorXd values;         ///< count eigenvalues, ascending, 1/mm²
   Eigen::MatrixXd functions;      ///< n×count, 1/mm: Σ m_i u_i v_i is 1 or 0, Σ m_i u_i = 0
   Status status = Status::NotRun;  ///< Converged, or NotConverged when maxSolves was reached
-  /// max over the pairs of ‖θ⁻¹ (L + σM)⁻¹ M u − u‖, θ = 1/(λ + σ), norm √(Σ m_i r_i²): a bound on the relative error of
-  /// λ + σ that does not suffer from large cotangents
+  /// max over the pairs of ‖θ⁻¹ (L + σM)⁻¹ M u − u‖, θ = 1/(λ + σ), norm √(Σ m_i r_i²): a bound on the relative error
+  /// of λ + σ that does not suffer from large cotangents
   double residual = 0;
   int solves = 0;                 ///< right-hand sides solved
   int multiplicity = 1;           ///< eigenvalues that equal the last one to 1e-6, itself included
 };
 
-/// Solves L u = λ M u for the smallest λ > 0, with L the cotangent stiffness and M the lumped mass (a third of the areas
-/// around each vertex). @cite pinkall1993
+/// Solves L u = λ M u for the smallest λ > 0, with L the cotangent stiffness and M the lumped mass (a third of the
+/// areas around each vertex). @cite pinkall1993
 ///
-/// Block Lanczos on (L + σM)⁻¹ M with full orthogonalisation, one factorisation, started from the coordinates of the points
-/// (close to the answer for a closed surface) and a seeded random function. @cite golub1977
+/// Block Lanczos on (L + σM)⁻¹ M with full orthogonalisation, one factorisation, started from the coordinates of the
+/// points (close to the answer for a closed surface) and a seeded random function. @cite golub1977
 ///
-/// Gauge: equal eigenvalues (to 1e-6) share a space; its basis is the coordinates x, y, z in this order, projected onto it
-/// and orthonormalised, so that every function has a positive product with the first coordinate that it is not
+/// Gauge: equal eigenvalues (to 1e-6) share a space; its basis is the coordinates x, y, z in this order, projected onto
+/// it and orthonormalised, so that every function has a positive product with the first coordinate that it is not
 /// orthogonal to. Same input, same bits.
 ///
 /// Guarantees: with Converged, residual ≤ tolerance. On a connected surface λ_1 > 0. The discrete nodal domains of u_1

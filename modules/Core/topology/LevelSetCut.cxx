@@ -29,7 +29,7 @@ void requireUsableValues(const TriangleMesh& surface, const Eigen::VectorXd& val
   }
 }
 
-/// Which connected piece (over edges whose ends have the same flag) each vertex belongs to, and the areas of the pieces.
+/// Which connected piece (over edges whose ends have the same flag) each vertex belongs to, and their areas.
 struct Pieces {
   std::vector<int> of;
   std::vector<double> area;
@@ -79,8 +79,8 @@ int largestPiece(const Pieces& pieces, const Flags& flags, char flag) {
   return largest;
 }
 
-/// Leaves two connected sets: of the complement of the largest piece above, the part that holds the largest piece below, and
-/// the rest. Returns how many pieces were merged.
+/// Leaves two connected sets: of the complement of the largest piece above, the part that holds the largest piece
+/// below, and the rest. Returns how many pieces were merged.
 int keepTwoPieces(const SurfaceTopology& topology, const Eigen::VectorXd& stars, Flags& above) {
   const Pieces pieces = piecesOf(topology, above, stars);
   if (pieces.area.size() == 2) return 0;
@@ -149,7 +149,8 @@ class HalfBuilder {
   /// The quadrangle a, b, c, d split by the diagonal with the larger least angle.
   void add(int a, int b, int c, int d, int face) {
     const Eigen::Vector3d pa = points_.row(a), pb = points_.row(b), pc = points_.row(c), pd = points_.row(d);
-    if (std::min(leastAngle(pa, pb, pc), leastAngle(pa, pc, pd)) >= std::min(leastAngle(pb, pc, pd), leastAngle(pb, pd, pa))) {
+    const double first = std::min(leastAngle(pa, pb, pc), leastAngle(pa, pc, pd));
+    if (first >= std::min(leastAngle(pb, pc, pd), leastAngle(pb, pd, pa))) {
       add(a, b, c, face);
       add(a, c, d, face);
     } else {
@@ -174,8 +175,8 @@ class HalfBuilder {
   int seamStart_ = 0;
 };
 
-void distributeFaces(const SurfaceTopology& topology, const Flags& above, const std::vector<int>& seam, HalfBuilder& top,
-                     HalfBuilder& bottom) {
+void distributeFaces(const SurfaceTopology& topology, const Flags& above, const std::vector<int>& seam,
+                     HalfBuilder& top, HalfBuilder& bottom) {
   std::vector<int> crossing(static_cast<std::size_t>(3 * topology.faces().rows()), -1);
   for (std::size_t k = 0; k < seam.size(); ++k) {
     crossing[static_cast<std::size_t>(seam[k])] = static_cast<int>(k);

@@ -14,9 +14,9 @@ namespace authalic {
 
 struct LevelSetCutOptions {
   double level = 0;
-  /// The seam keeps this fraction of an edge from its ends, at most ½, so that a level set through vertices needs no special
-  /// case. Small: a smooth seam, and a few tiny faces that a Delaunay flip removes; 0.1 and more: no tiny faces, but a
-  /// seam with corners.
+  /// The seam keeps this fraction of an edge from its ends, at most ½, so that a level set through vertices needs no
+  /// special case. Small: a smooth seam, and a few tiny faces that a Delaunay flip removes; 0.1 and more: no tiny
+  /// faces, but a seam with corners.
   double clearance = 1e-3;
 
   /// @throws InvalidArgument when clearance is outside (0, 0.5] or the level is not finite
@@ -53,8 +53,8 @@ struct LevelSetCutResult {
 /// with negative cotangent weights, and other functions may have any number. What is left are two connected sets of
 /// vertices, and on a surface of genus 0 the edges between them form one closed seam: both halves are disks.
 ///
-/// Faces on the seam become a triangle on one side and, on the other, two with the larger least angle. Guarantees: the areas of
-/// the halves sum to that of the surface; both boundaries carry the same points. Does not balance the halves.
+/// Faces on the seam become a triangle on one side and, on the other, two with the larger least angle. Guarantees: the
+/// areas of the halves sum to that of the surface; both boundaries carry the same points. Does not balance the halves.
 /// Complexity O(m).
 ///
 /// @param values  n, any unit
