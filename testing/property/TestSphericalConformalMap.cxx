@@ -19,7 +19,8 @@ using namespace authalic::testing;
 
 namespace {
 
-const SphereRoad kRoads[] = {SphereRoad::Harmonic, SphereRoad::Stereographic, SphereRoad::MeanCurvatureFlow};
+const SphereRoad kRoads[] = {SphereRoad::Harmonic, SphereRoad::Stereographic, SphereRoad::MeanCurvatureFlow,
+                              SphereRoad::Welding};
 
 TriangleMesh foldedSphere(int levels) {
   const TriangleMesh sphere = sphereMesh(levels);

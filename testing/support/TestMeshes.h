@@ -130,4 +130,15 @@ inline TriangleMesh sphereMesh(int levels) {
   return TriangleMesh(points, faces);
 }
 
+/// Closed, no symmetry: the vertices of the sphere at a distance of 1 plus waves.
+inline TriangleMesh wavySphere(int levels) {
+  const TriangleMesh mesh = sphereMesh(levels);
+  Points3 points = mesh.points();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const double x = points(i, 0), y = points(i, 1), z = points(i, 2);
+    points.row(i) *= 1 + 0.25 * std::sin(3 * x + 1) * std::cos(2 * y) + 0.2 * x * z + 0.3 * z;
+  }
+  return TriangleMesh(points, mesh.faces());
+}
+
 }  // namespace authalic::testing

@@ -33,6 +33,12 @@ SphericalMapResult byRoad(const SphereMesh& sphere, const SphericalConformalMapO
     stereographic.puncturedFace = options.puncturedFace;
     return stereographicSphereMap(sphere, stereographic, execution);
   }
+  if (options.road == SphereRoad::Welding) {
+    WeldedSphereMapOptions welding = options.welding;
+    welding.riemann.flow.solver = options.solver;
+    welding.unfold = false;
+    return weldedSphereMap(sphere, welding, execution);
+  }
   const SphereLaplacian laplacian(sphere, options.solver);
   execution.throwIfCancelled();
   return harmonicSphereMap(sphere, laplacian, harmonicStart(sphere, laplacian, options), options.harmonic, execution);
@@ -52,6 +58,7 @@ const char* sphereRoadName(SphereRoad road) noexcept {
     case SphereRoad::Harmonic: return "harmonic";
     case SphereRoad::Stereographic: return "stereographic";
     case SphereRoad::MeanCurvatureFlow: return "mean-curvature-flow";
+    case SphereRoad::Welding: return "welding";
   }
   return "harmonic";
 }
@@ -78,6 +85,7 @@ void SphericalConformalMapOptions::validate() const {
   harmonic.validate();
   stereographic.validate();
   flow.validate();
+  welding.validate();
   normalisation.validate();
 }
 

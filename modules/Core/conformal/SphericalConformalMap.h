@@ -8,6 +8,7 @@
 #include "Core/conformal/SphereNormalisation.h"
 #include "Core/conformal/SphericalMapResult.h"
 #include "Core/conformal/StereographicSphereMap.h"
+#include "Core/conformal/WeldedSphereMap.h"
 #include "Core/mesh/SphereMesh.h"
 
 namespace authalic {
@@ -17,9 +18,10 @@ enum class SphereRoad {
   Harmonic,           ///< least harmonic energy @cite gu2004: accurate, fast, the default
   Stereographic,      ///< dipole and second pole @cite haker2000 @cite choi2015: two linear solves, no iteration
   MeanCurvatureFlow,  ///< conformalized mean curvature flow @cite kazhdan2012: a factorisation per step
+  Welding,            ///< two Riemann maps welded along a seam @cite nadeem2017: two flows, no start, no pole
 };
 
-/// "harmonic", "stereographic", "mean-curvature-flow".
+/// "harmonic", "stereographic", "mean-curvature-flow", "welding".
 [[nodiscard]] const char* sphereRoadName(SphereRoad road) noexcept;
 
 /// Where the harmonic road starts; it ends at the same map.
@@ -40,6 +42,7 @@ struct SphericalConformalMapOptions {
   HarmonicSphereMapOptions harmonic;
   StereographicSphereMapOptions stereographic;
   ConformalizedMeanCurvatureFlowOptions flow;
+  WeldedSphereMapOptions welding;  ///< its `unfold` is not read
   SphereNormalisationOptions normalisation;
   SolverBackend solver = SolverBackend::Automatic;  ///< of all stages
 
