@@ -5,12 +5,14 @@
 #include "Core/authalic/DiscreteLieFlow.h"
 #include "Core/distortion/Distortion.h"
 #include "Core/initial/BarycentricMap.h"
+#include "Core/initial/LeastSquaresConformalMap.h"
 #include "support/OffFile.h"
 #include "support/SharedData.h"
 
 #ifdef AUTHALIC_HAVE_LIBIGL
 #include <igl/boundary_loop.h>
 #include <igl/harmonic.h>
+#include <igl/lscm.h>
 #include <igl/map_vertices_to_circle.h>
 #endif
 
@@ -38,7 +40,33 @@ void barycentric(benchmark::State& state) {
 }
 BENCHMARK(barycentric)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
+void leastSquaresConformal(benchmark::State& state) {
+  const DiskMesh& disk = mesh(state.range(0));
+  LeastSquaresConformalMapOptions options;
+  options.pins = static_cast<ConformalPins>(state.range(1));
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " " + conformalPinsName(options.pins));
+  for (auto _ : state) benchmark::DoNotOptimize(leastSquaresConformalMap(disk, options));
+}
+BENCHMARK(leastSquaresConformal)
+    ->ArgsProduct({{0, 1, 2, 3}, {0, 1}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
 #ifdef AUTHALIC_HAVE_LIBIGL
+void libiglLeastSquaresConformal(benchmark::State& state) {
+  const Eigen::MatrixXd vertices = mesh(state.range(0)).mesh().points();
+  const Eigen::MatrixXi faces = mesh(state.range(0)).mesh().faces();
+  state.SetLabel(std::string(kMeshes[state.range(0)]) + " libigl LSCM");
+  for (auto _ : state) {
+    Eigen::VectorXi loop, pins(2);
+    Eigen::MatrixXd places(2, 2), image;
+    igl::boundary_loop(faces, loop);
+    pins << loop[0], loop[loop.size() / 2];
+    places << 0, 0, 1, 0;
+    igl::lscm(vertices, faces, pins, places, image);
+    benchmark::DoNotOptimize(image);
+  }
+}
+BENCHMARK(libiglLeastSquaresConformal)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
 void libiglHarmonic(benchmark::State& state) {
   const Eigen::MatrixXd vertices = mesh(state.range(0)).mesh().points();
   const Eigen::MatrixXi faces = mesh(state.range(0)).mesh().faces();
