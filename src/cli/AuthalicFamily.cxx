@@ -18,7 +18,7 @@ class AuthalicFamily : public MapFamily {
 
   std::map<std::string, std::string> sharedOptions() const override {
     return {{"--initial", "a MAP.vtp to the same domain (default: Tutte's)"},
-            {"--tolerance", "residual sqrt(sum m (r - 1)^2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--tolerance", "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 

@@ -15,7 +15,7 @@ namespace authalic {
 
 struct AuthalicMapOptions {
   PlanarDomain domain;             ///< unit disk; for maps of a disk only
-  double tolerance = 1e-2;         ///< of the face residual (Σ m_t (r_t − 1)²)^½, > 0; its square is D_area − 2
+  double tolerance = 1e-2;         ///< of the face residual (D_area − 2)^½, > 0
   double vertexTolerance = 1e-10;  ///< of max |ln r_v| over vertex stars, > 0
   int maxIterations = 150;         ///< face and vertex steps together, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
@@ -35,7 +35,7 @@ struct AuthalicMapResult {
   Points2 image;                   ///< n×2, on the domain; vertices in the order of the input
   Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
   int iterations = 0;              ///< steps of both kinds
-  double faceResidual = 0;         ///< (Σ m_t (r_t − 1)²)^½ of `image`, r = image share / target share
+  double faceResidual = 0;         ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = image share / target share
   double vertexResidual = 0;       ///< max |ln r_v| of `image`
   int flippedFaces = 0;
   std::vector<AuthalicIteration> history;
@@ -45,8 +45,7 @@ struct AuthalicMapResult {
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.
 ///
 /// 1. *Start*: Tutte's map, or `initial`, reweighted until areas are within sight (see balancedStart in authalic/).
-/// 2. *Face steps*: damped Gauss–Newton on the authalic energy Σ_t (q_t − m_t)² / m_t, q the image shares and m the targets
-///    of the faces; inner vertices move freely, those of the boundary along it.
+/// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its target m; inner vertices move freely, those of the boundary along it.
 /// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the step of Lie
 ///    advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them reach 1e-12.
 ///
