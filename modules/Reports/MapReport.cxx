@@ -46,6 +46,15 @@ Json componentsJson(const std::vector<ComponentReport>& components) {
   return list;
 }
 
+Json histogramJson(const Histogram& histogram) {
+  return Json::object()
+      .set("edges", Json::arrayOf(histogram.edges))
+      .set("counts", Json::arrayOf(histogram.counts))
+      .set("below", histogram.below)
+      .set("above", histogram.above)
+      .set("undefined", histogram.undefined);
+}
+
 Json secondsJson(const std::vector<std::pair<std::string, double>>& seconds) {
   Json stages = Json::object();
   double total = 0.0;
@@ -76,6 +85,27 @@ Json distortionReport(const DistortionSummary& summary) {
       .set("flipped_faces", summary.flippedFaces)
       .set("degenerate_faces", summary.degenerateFaces)
       .set("finite", summary.finite);
+}
+
+Json sphericalDistortionReport(const SphericalDistortion& distortion) {
+  return Json::object()
+      .set("area_distortion_flat", distortion.flatSummary.areaDistortion)
+      .set("face_area_ratio_sd_flat", distortion.flatSummary.faceStandardDeviation)
+      .set("vertex_log_area_ratio_mean_abs_flat", distortion.flatSummary.vertexMeanAbsLog)
+      .set("vertex_log_area_ratio_max_abs_flat", distortion.flatSummary.vertexMaxAbsLog)
+      .set("angle_error_mean_degrees_spherical", distortion.sphericalAngleError)
+      .set("coverage", distortion.coverage)
+      .set("flipped_faces_by_solid_angle", distortion.flippedBySolidAngle)
+      .set("flipped_faces_by_volume", distortion.flippedByVolume);
+}
+
+Json histogramReport(const DistortionHistograms& histograms) {
+  return Json::object()
+      .set("vertex_log_area_ratio", histogramJson(histograms.vertexLogAreaRatio))
+      .set("face_log_area_ratio", histogramJson(histograms.faceLogAreaRatio))
+      .set("corner_log_angle_ratio", histogramJson(histograms.cornerLogAngleRatio))
+      .set("angle_error_degrees", histogramJson(histograms.angleError))
+      .set("beltrami", histogramJson(histograms.beltrami));
 }
 
 Json meshReport(const MeshReport& report, std::size_t mostDefects) {
@@ -109,8 +139,9 @@ Json mapReport(const MapReport& report) {
       .set("residual_history", Json::arrayOf(report.residuals))
       .set("seconds", secondsJson(report.seconds))
       .set("metrics", distortionReport(report.metrics))
-      .set("flips", report.metrics.flippedFaces)
-      .set("topology", meshReport(report.topology))
+      .set("flips", report.metrics.flippedFaces);
+  if (report.histograms) result.set("histograms", histogramReport(*report.histograms));
+  result.set("topology", meshReport(report.topology))
       .set("options", report.options);
   const Json::Object* more = std::get_if<Json::Object>(&report.more.value());
   if (more == nullptr) throw InvalidArgument("The further members of a map's report must be a JSON object.");

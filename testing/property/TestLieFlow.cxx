@@ -5,12 +5,12 @@
 
 #include "Core/authalic/DiscreteLieFlow.h"
 #include "Core/authalic/FlowingMesh.h"
-#include "Core/authalic/Unfold.h"
 #include "Core/base/Error.h"
 #include "Core/distortion/Distortion.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/Laplacian.h"
 #include "Core/initial/BarycentricMap.h"
+#include "Core/initial/Unfold.h"
 #include "support/TestMeshes.h"
 
 using namespace authalic;

@@ -155,6 +155,62 @@ TEST(SphericalConformalMap, SaysWhenItHasNotConvergedOrWasStopped) {
   EXPECT_THROW((void)sphericalConformalMap(mesh, byRoad(SphereRoad::Stereographic), stopped), CancelledError);
 }
 
+TEST(SphericalConformalMap, UnfoldsWhatObtuseFacesFold) {
+  const TriangleMesh smooth = sphereMesh(5);
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.04);
+  Points3 points = smooth.points();
+  for (Eigen::Index k = 0; k < points.size(); ++k) points.data()[k] += noise(random);
+  const SphereMesh rough(TriangleMesh(points, smooth.faces()));
+  SphericalConformalMapOptions options;
+  options.unfold = false;
+  const SphericalMapResult folded = sphericalConformalMap(rough, options);
+  EXPECT_GT(folded.flippedFaces, 0);
+  EXPECT_EQ(folded.status, Status::Stalled);
+  options.unfold = true;
+  const SphericalMapResult unfolded = sphericalConformalMap(rough, options);
+  EXPECT_EQ(unfolded.flippedBeforeUnfolding, folded.flippedFaces);
+  EXPECT_EQ(unfolded.flippedFaces, 0);
+  EXPECT_EQ(unfolded.status, Status::Converged);
+  EXPECT_LT(unfolded.unfoldedVertices, 1000);
+}
+
+TEST(SphericalConformalMap, OfTheSmallestSpheresIsUnfolded) {
+  Points3 points(4, 3);
+  points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  Faces faces(4, 3);
+  faces << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  for (const SphereRoad road : kRoads) {
+    for (const TriangleMesh& mesh : {TriangleMesh(points, faces), sphereMesh(0), sphereMesh(1)}) {
+      SphericalConformalMapOptions options;
+      options.road = road;
+      const SphericalMapResult result = sphericalConformalMap(SphereMesh(mesh), options);
+      EXPECT_EQ(result.flippedFaces, 0) << sphereRoadName(road) << " " << mesh.faceCount();
+      EXPECT_EQ(result.status, Status::Converged) << sphereRoadName(road) << " " << mesh.faceCount();
+    }
+  }
+}
+
+TEST(SphericalConformalMap, SaysThatANeedleIsTooLongForIt) {
+  // Conformally a needle of 1 : 100 is a cylinder of length e^157 against its width.
+  const TriangleMesh sphere = sphereMesh(4);
+  Points3 points = sphere.points();
+  points.col(2) *= 100;
+  const SphericalMapResult result = sphericalConformalMap(SphereMesh(TriangleMesh(points, sphere.faces())));
+  EXPECT_EQ(result.status, Status::Stalled);
+  EXPECT_GT(result.flippedFaces, 0);
+  EXPECT_TRUE(result.image.allFinite());
+}
+
+TEST(HarmonicSphereMap, KeepsTheDegreeOfItsStart) {
+  const TriangleMesh sphere = sphereMesh(4);
+  Points3 points = sphere.points();
+  points.row(0) *= 30;  // four faces hold most of the surface
+  const SphereMesh spike(TriangleMesh(points, sphere.faces()));
+  const SphericalMapResult result = harmonicSphereMap(spike, tutteSphereMap(spike, 100));
+  EXPECT_NEAR(signedSolidAngles(result.image, sphere.faces()).sum(), 4 * M_PI, 1e-9);
+}
+
 TEST(SphericalConformalMap, RefusesBadOptions) {
   const SphereMesh mesh(foldedSphere(2));
   const auto refuses = [&mesh](const SphericalConformalMapOptions& options) {

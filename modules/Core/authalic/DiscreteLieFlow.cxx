@@ -6,9 +6,9 @@
 
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/LieFlowStages.h"
-#include "Core/authalic/Unfold.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
+#include "Core/initial/Unfold.h"
 
 namespace authalic {
 namespace {

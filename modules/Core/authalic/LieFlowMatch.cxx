@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "Core/authalic/LieFlowStages.h"
-#include "Core/authalic/Unfold.h"
 #include "Core/geometry/Areas.h"
+#include "Core/initial/Unfold.h"
 #include "Core/numerics/ElementAssembly.h"
 #include "Core/numerics/FlipFreeStep.h"
 

@@ -31,10 +31,11 @@ struct Iterate {
 class Descent {
  public:
   Descent(const SphereMesh& sphere, const SphereLaplacian& laplacian, const Points3& start)
-      : laplacian_(laplacian),
+      : faces_(sphere.mesh().faces()), laplacian_(laplacian),
         share_(vertexStars(faceAreas(sphere.mesh()), sphere.mesh().faces(), sphere.mesh().vertexCount())) {
     share_ /= share_.sum();
     now_ = at(start);
+    degree_ = degreeOf(now_.map);
     precondition();
   }
 
@@ -53,6 +54,7 @@ class Descent {
       length_ *= std::clamp(1 / std::max(fall, 1e-3), 0.5, 2.0);
       Iterate better = along(length_);
       if (better.energy < next.energy) next = std::move(better);
+      if (degreeOf(next.map) != degree_) continue;  // through a face too coarse to hold the map
       const Points3 before = std::move(now_.gradient);
       const double previous = slope_;
       now_ = std::move(next);
@@ -73,6 +75,11 @@ class Descent {
     there.energy = laplacian_.energy(there.map);
     there.gradient = tangential(there.map, laplacian_.multiply(there.map));
     return there;
+  }
+
+  // How often the image covers the sphere.
+  [[nodiscard]] long degreeOf(const Points3& map) const {
+    return std::lround(signedSolidAngles(map, faces_).sum() / (4 * M_PI));
   }
 
   [[nodiscard]] Iterate along(double length) const { return at((now_.map + length * direction_).rowwise().normalized()); }
@@ -106,7 +113,9 @@ class Descent {
     direction_ = steepest_;
   }
 
+  const Faces& faces_;
   const SphereLaplacian& laplacian_;
+  long degree_ = 1;
   Eigen::VectorXd share_;
   Iterate now_;
   Points3 steepest_, direction_;

@@ -28,8 +28,9 @@ struct HarmonicSphereMapOptions {
 /// One factorisation of L serves all.
 ///
 /// @param start  n×3 on the unit sphere, of degree 1. From a start with few folds (stereographicSphereMap) the energy
-///               unfolds the map; from a far one a discrete map may collapse: the result is what the descent finds.
-/// Guarantees: the energy never rises from step to step. Faces may fold where cotangent weights are negative
+///               unfolds the map; from a far one (gaussSphereMap) it takes some more steps.
+/// Guarantees: the energy never rises, and the degree (how often the image covers the sphere) never changes from step to
+/// step: where the faces are too coarse to hold a conformal map, the descent ends as Stalled. Faces may fold where cotangent weights are negative
 /// → `flippedFaces`. `history`: the relative residual. Complexity: one factorisation, one solve of three columns per iteration.
 /// @throws InvalidArgument when an option is bad
 /// @throws GeometryError   when the start is not on the sphere or has another number of points

@@ -98,6 +98,7 @@ SphericalMapResult sphericalConformalMap(const SphereMesh& sphere, const Spheric
     result.unfoldedVertices = unfolded.movedVertices;
   }
   normalise(sphere, options.normalisation, result);
+  if (result.status == Status::Converged && result.flippedFaces > 0) result.status = Status::Stalled;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   execution.report(1, sphereRoadName(options.road));
   return result;

@@ -51,7 +51,8 @@ struct SphericalConformalMapOptions {
 ///
 /// The conformal map between two spheres exists and is unique up to Möbius transformations (uniformisation). After the
 /// chosen road, faces that it folded are unfolded in small patches, and the map is normalised: the surface's centre of
-/// mass at 0, then the rotation (see normaliseSphere). What is folded in the end is counted in `flippedFaces`.
+/// mass at 0, then the rotation (see normaliseSphere). What is folded in the end is counted in `flippedFaces`,
+/// and the status is then Stalled, not Converged.
 ///
 /// A coarse triangulation is not conformally mappable face by face: the mean angle error cannot be below
 /// Σ_v |angle defect_v| / (3 m), because around every vertex of the image the angles sum to nearly 2π.

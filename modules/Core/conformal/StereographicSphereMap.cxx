@@ -20,6 +20,8 @@
 namespace authalic {
 namespace {
 
+constexpr std::size_t kFewestHeld = 12;  // vertices around the far pole
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The value below which half of the mass lies.
@@ -59,17 +61,17 @@ Eigen::VectorXd vertexMass(const TriangleMesh& surface) {
   return vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount());
 }
 
-// The vertices nearest to the pole (0, 0, 1) that hold the given share of the area.
+// All but the vertices nearest to the pole (0, 0, 1) that hold the given share of the area; at least some are held.
 std::vector<char> outsideOfPolarPart(const Points3& image, const Eigen::VectorXd& mass, double share) {
   std::vector<int> order(at(static_cast<int>(mass.size())));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&image](int a, int b) { return image(a, 2) > image(b, 2); });
   std::vector<char> held(order.size(), 1);
   double sum = 0;
-  for (const int i : order) {
-    sum += mass[i];
+  for (std::size_t k = 0; k + kFewestHeld < order.size(); ++k) {
+    sum += mass[order[k]];
     if (sum > share * mass.sum()) break;
-    held[at(i)] = 0;
+    held[at(order[k])] = 0;
   }
   return held;
 }

@@ -165,7 +165,7 @@ SphereUnfolding unfoldOnSphere(const SphereMesh& sphere, Points3 image) {
   SphereUnfolding result{std::move(image), 0, 0, 0};
   result.flippedFaces = countFlippedOnSphere(result.image, faces);
   std::vector<char> moved(at(sphere.mesh().vertexCount()), 0);
-  for (int rings = 2; rings <= kMostRings && result.flippedFaces > 0; rings *= 2) {
+  for (int rings = 1; rings <= kMostRings && result.flippedFaces > 0; rings += (rings + 1) / 2) {
     ++result.rounds;
     const std::vector<char> marked = verticesNearFolds(result.image, faces, rings);
     for (const std::vector<int>& patchFaces : patchesOf(sphere, marked)) {

@@ -20,6 +20,7 @@ struct DistortionArrays {
   Eigen::VectorXd angleDistortion;       ///< m: σ1/|σ2| + |σ2|/σ1, ideal 2; NaN where undefined
   Eigen::VectorXcd beltrami;             ///< m: μ = f_z̄/f_z; |μ| > 1 on folded faces; NaN where undefined
   Eigen::MatrixX3d cornerLogAngleRatio;  ///< m×3: η = ln(image angle / surface angle)
+  Eigen::MatrixX3d cornerAngleError;     ///< m×3: image angle − surface angle, degrees
   Eigen::VectorXd vertexLogAreaRatio;    ///< n: p_i = ln(image third-star share / target third-star share)
   Eigen::VectorXi flipped;               ///< m: 1 where the face is folded or has no area in the image
 };

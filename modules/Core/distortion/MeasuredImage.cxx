@@ -102,6 +102,7 @@ double measureCorners(const TriangleMesh& surface, const MeasuredImage& image, i
     const Eigen::Vector3d corner = pointOf(image.points, a);
     const double after = angleBetween(pointOf(image.points, b) - corner, pointOf(image.points, c) - corner);
     arrays.cornerLogAngleRatio(f, k) = before > 0 && after > 0 ? std::log(after / before) : kNaN;
+    arrays.cornerAngleError(f, k) = (after - before) * 180 / M_PI;
     error += std::abs(after - before);
   }
   return error;
@@ -167,6 +168,7 @@ void resize(DistortionArrays& arrays, int m) {
   }
   arrays.beltrami.resize(m);
   arrays.cornerLogAngleRatio.resize(m, 3);
+  arrays.cornerAngleError.resize(m, 3);
   arrays.flipped.resize(m);
 }
 

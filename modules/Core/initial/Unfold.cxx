@@ -1,4 +1,4 @@
-#include "Core/authalic/Unfold.h"
+#include "Core/initial/Unfold.h"
 
 #include <algorithm>
 
