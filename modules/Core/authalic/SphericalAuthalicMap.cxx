@@ -9,6 +9,7 @@
 #include "Core/authalic/SolidAngles.h"
 #include "Core/authalic/TwoCapsStart.h"
 #include "Core/base/Error.h"
+#include "Core/conformal/SphereNormalisation.h"
 #include "Core/conformal/StereographicSphereMap.h"
 #include "Core/conformal/UnfoldOnSphere.h"
 #include "Core/geometry/Areas.h"
@@ -59,13 +60,14 @@ SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const 
                                                 const AuthalicMapOptions& options, const Points3& initial,
                                                 const Execution& execution) {
   options.validate();
+  requireTargetOf(sphere.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
   Points3 start = makeStart(sphere, target, options, initial, execution.part(0, 0.3));
   const SolidAngles areas(sphere.mesh().faces(), sphere.mesh().vertexCount());
   SphericalAuthalicMapResult result;
   result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solveAreas(areas, target, start, options, execution.part(0.3, 1));
-  result.image = solved.image;
+  result.image = rotateSphere(sphere.mesh(), Points3(solved.image));
   result.status = solved.status;
   result.iterations = static_cast<int>(solved.history.size());
   result.faceResidual = solved.faceResidual;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "Core/authalic/BalancedStart.h"
-#include "Core/authalic/Unfold.h"
 #include "Core/conformal/UnfoldOnSphere.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricMap.h"

@@ -58,4 +58,9 @@ struct SphereNormalisation {
 [[nodiscard]] SphereNormalisation normaliseSphere(const TriangleMesh& surface, const Points3& image,
                                                   const SphereNormalisationOptions& options = {});
 
+/// The rotation alone, for images whose Möbius transformation is not free: nothing but isometries of the sphere.
+/// @throws as normaliseSphere
+[[nodiscard]] Points3 rotateSphere(const TriangleMesh& surface, const Points3& image,
+                                   const SphereNormalisationOptions& options = {});
+
 }  // namespace authalic
