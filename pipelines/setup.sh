@@ -15,7 +15,7 @@ authalic_required=(
   python3 python3-numpy xvfb xauth fonts-dejavu-core mricron-data
 )
 # Independent readers and oracles: tests that need a missing one skip and say so.
-authalic_optional=(python3-scipy python3-nibabel connectome-workbench libbenchmark-dev mypy)
+authalic_optional=(python3-scipy python3-nibabel connectome-workbench libbenchmark-dev mypy doxygen dpkg-dev)
 
 authalic_missing() {
   local package

@@ -72,7 +72,9 @@ void addArray(vtkDataSetAttributes* data, const char* name, const Points3& value
   data->AddArray(array);
 }
 
-void addField(vtkDataObject* object, const char* name, double value) { addField(object, name, std::vector<double>{value}); }
+void addField(vtkDataObject* object, const char* name, double value) {
+  addField(object, name, std::vector<double>{value});
+}
 
 void addField(vtkDataObject* object, const char* name, int value) {
   addScalars<vtkIntArray>(fieldsOf(object), name, std::vector<int>{value});
@@ -123,7 +125,8 @@ std::vector<int> toIntegers(vtkDataArray* array) {
     const double value = array->GetComponent(i, 0);
     if (!(std::abs(value) < 2147483648.0)) {
       throw InvalidArgument("Labels must be integers below 2^31; entry " + std::to_string(i) + " of array '" +
-                            std::string(array->GetName() ? array->GetName() : "") + "' is " + std::to_string(value) + ".");
+                            std::string(array->GetName() ? array->GetName() : "") + "' is " +
+                            std::to_string(value) + ".");
     }
     values[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(value));
   }

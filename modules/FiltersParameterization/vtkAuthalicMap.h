@@ -2,10 +2,10 @@
  * @class vtkAuthalicMap
  * @brief Area-preserving, or measure-controlled, map of a topological disk: exact at every vertex, no face folded.
  *
- * Starts from Tutte's map (or a given one), matches the areas of the faces by damped Gauss–Newton steps, and then those of the
- * vertex stars to machine precision by Newton steps. Every vertex has exactly its share of the domain; faces have theirs up to
- * Tolerance. When the tolerances are not reached the best map comes with Status not-converged or stalled, a warning, and
- * ErrorKind NOT_CONVERGED.
+ * Starts from Tutte's map (or a given one), matches the areas of the faces by damped Gauss–Newton steps, and then
+ * those of the vertex stars to machine precision by Newton steps. Every vertex has exactly its share of the domain;
+ * faces have theirs up to Tolerance. When the tolerances are not reached the best map comes with Status
+ * not-converged or stalled, a warning, and ErrorKind NOT_CONVERGED.
  *
  * | port | what |
  * |---|---|

@@ -43,7 +43,8 @@ int vtkMapDistortion::FillInputPortInformation(int port, vtkInformation* info) {
   return 1;
 }
 
-void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs, const authalic::Execution&) {
+void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
+                               const authalic::Execution&) {
   using namespace authalic;
   vtkPolyData* map = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);

@@ -2,8 +2,8 @@
  * @class vtkSphericalAuthalicMap
  * @brief Area-preserving, or measure-controlled, map of a topological sphere: exact at every vertex, no face folded.
  *
- * As vtkAuthalicMap, with solid angles as the areas of the image: the vertex stars of the surface get exactly their shares of
- * the unit sphere. The rotation is the one that brings the image closest to the surface.
+ * As vtkAuthalicMap, with solid angles as the areas of the image: the vertex stars of the surface get exactly their
+ * shares of the unit sphere. The rotation is the one that brings the image closest to the surface.
  *
  * | port | what |
  * |---|---|

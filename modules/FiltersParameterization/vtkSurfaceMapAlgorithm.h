@@ -7,8 +7,8 @@
  * | input 0 | vtkPolyData: triangles, mm; the topology that the method asks for |
  * | output 0 | vtkPolyData, the map: triangles and vertices in the order of the input, every array of the input, and the arrays below |
  *
- * As MAP the points of the output are the image (double precision; z = 0 in the plane). As TEXTURE_COORDINATES they stay
- * the surface, and the image is the active array of texture coordinates, moved and scaled (by one factor) into
+ * As MAP the points of the output are the image (double precision; z = 0 in the plane). As TEXTURE_COORDINATES they
+ * stay the surface, and the image is the active array of texture coordinates, moved and scaled (by one factor) into
  * [0, 1]² or [0, 1]³, so that a texture is neither stretched nor repeated.
  *
  * | association | name | components, type | unit | meaning |
@@ -51,7 +51,9 @@ public:
   };
 
   ///@{
-  /** Whether the points of the output are the image, or the surface with the image as texture coordinates. Default MAP. */
+  /**
+   * Whether the points of the output are the image, or the surface with the image as texture coordinates. Default MAP.
+   */
   vtkSetClampMacro(OutputMode, int, MAP, TEXTURE_COORDINATES);
   vtkGetMacro(OutputMode, int);
   void SetOutputModeToMap() { this->SetOutputMode(MAP); }

@@ -61,13 +61,15 @@ void vtkSampleVolumeOnSurface::Compute(vtkInformationVector** inputs, vtkInforma
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (this->ArrayName.empty()) throw authalic::InvalidArgument("ArrayName must name the array to make; it is empty.");
   if (this->Mode == BETWEEN_SURFACES && !other) {
-    throw authalic::InvalidArgument("Sampling between surfaces needs the other surface on input port 2; none is there.");
+    throw authalic::InvalidArgument(
+        "Sampling between surfaces needs the other surface on input port 2; none is there.");
   }
   const authalic::TriangleMesh surface = authalic::surfaceOf(input);
   const authalic::ScalarVolume volume = authalic::toScalarVolume(vtkImageData::GetData(inputs[1]));
   const authalic::VolumeSamples samples =
       this->Mode == BETWEEN_SURFACES
-          ? authalic::sampleVolumeBetween(surface, authalic::surfaceOf(other).points(), volume, this->Options(), execution)
+          ? authalic::sampleVolumeBetween(surface, authalic::surfaceOf(other).points(), volume, this->Options(),
+                                          execution)
           : authalic::sampleVolume(surface, volume, this->Options(), execution);
   output->ShallowCopy(input);
   authalic::addArray(output->GetPointData(), this->ArrayName.c_str(), samples.values);
@@ -81,7 +83,8 @@ void vtkSampleVolumeOnSurface::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Reducer: " << this->Reducer << "\n";
   os << indent << "Interpolation: " << this->Interpolation << "\n";
   os << indent << "Depths: " << this->DepthFrom << " to " << this->DepthTo << " by " << this->DepthStep << " mm\n";
-  os << indent << "Fractions: " << this->FractionFrom << " to " << this->FractionTo << " by " << this->FractionStep << "\n";
+  os << indent << "Fractions: " << this->FractionFrom << " to " << this->FractionTo << " by " << this->FractionStep
+     << "\n";
   os << indent << "SkipZero: " << (this->SkipZero ? "On" : "Off") << "\n";
   os << indent << "ArrayName: " << this->ArrayName << "\n";
 }

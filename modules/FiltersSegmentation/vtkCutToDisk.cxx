@@ -78,8 +78,10 @@ void vtkCutToDisk::PrintSelf(ostream& os, vtkIndent indent) {
   for (const int value : this->RegionValues) os << " " << value;
   os << "\n";
   os << indent << "KeepRegion: " << (this->KeepRegion ? "On" : "Off") << "\n";
-  os << indent << "PlaneOrigin: " << this->PlaneOrigin[0] << " " << this->PlaneOrigin[1] << " " << this->PlaneOrigin[2] << "\n";
-  os << indent << "PlaneNormal: " << this->PlaneNormal[0] << " " << this->PlaneNormal[1] << " " << this->PlaneNormal[2] << "\n";
+  os << indent << "PlaneOrigin: " << this->PlaneOrigin[0] << " " << this->PlaneOrigin[1] << " "
+     << this->PlaneOrigin[2] << "\n";
+  os << indent << "PlaneNormal: " << this->PlaneNormal[0] << " " << this->PlaneNormal[1] << " "
+     << this->PlaneNormal[2] << "\n";
   os << indent << "LargestRegionOnly: " << (this->LargestRegionOnly ? "On" : "Off") << "\n";
   os << indent << "LoopSmoothing: " << this->LoopSmoothing << "\n";
 }

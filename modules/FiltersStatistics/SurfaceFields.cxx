@@ -48,7 +48,9 @@ SurfaceField surfaceField(vtkPolyData* map, const std::string& name) {
   SurfaceField field;
   field.name = name;
   field.values = doubles(requireArray(map->GetPointData(), name, 1, "map"));
-  if (vtkDataArray* coverage = map->GetPointData()->GetArray((name + "Coverage").c_str())) field.coverage = doubles(coverage);
+  if (vtkDataArray* coverage = map->GetPointData()->GetArray((name + "Coverage").c_str())) {
+    field.coverage = doubles(coverage);
+  }
   return field;
 }
 

@@ -1,5 +1,6 @@
 /// @file
 /// Point arrays as the fields and labels of element statistics, and report tables as vtkTable.
+/// Private to FiltersStatistics/.
 #pragma once
 
 #include <string>

@@ -104,7 +104,8 @@ bool vtkElementStatistics::Write(const std::string& tsvPath, bool regions) {
     const std::size_t dot = tsvPath.rfind('.'), slash = tsvPath.rfind('/');
     const bool hasEnding = dot != std::string::npos && (slash == std::string::npos || dot > slash);
     authalic::writeFileAtomically(tsvPath, table.tsv());
-    authalic::writeFileAtomically((hasEnding ? tsvPath.substr(0, dot) : tsvPath) + ".json", table.sidecar(about).text());
+    authalic::writeFileAtomically((hasEnding ? tsvPath.substr(0, dot) : tsvPath) + ".json",
+                                  table.sidecar(about).text());
   }) != 0;
 }
 

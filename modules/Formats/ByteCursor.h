@@ -92,7 +92,7 @@ class ByteCursor {
   [[nodiscard]] std::string line() {
     const std::string_view all(reinterpret_cast<const char*>(bytes_.data()), bytes_.size());
     const auto end = std::min(all.find('\n', position_), all.size());
-    const std::string words(all.substr(position_, end - position_));
+    std::string words(all.substr(position_, end - position_));
     position_ = std::min(end + 1, all.size());
     return words;
   }

@@ -1,5 +1,5 @@
 /// @file
-/// The payload of a GIFTI array: base64, zlib, text, number types, order of indices.
+/// The payload of a GIFTI array: base64, zlib, text, number types, order of indices. Private to Formats/.
 #pragma once
 
 #include <cstdint>

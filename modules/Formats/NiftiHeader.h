@@ -1,5 +1,5 @@
 /// @file
-/// The gate before libnifti2: everything in a NIfTI header that must hold before it is believed.
+/// The gate before libnifti2: everything in a NIfTI header that must hold before it is believed. Private to Formats/.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 /// @file
-/// The readers behind readSurface(), one per kind of file, on bytes in memory.
+/// The readers behind readSurface(), one per kind of file, on bytes in memory. Private to Formats/.
 #pragma once
 
 #include <cstdint>

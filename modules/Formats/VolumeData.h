@@ -1,5 +1,5 @@
 /// @file
-/// What the NIfTI and MGH readers share: types of voxels and their conversion.
+/// What the NIfTI and MGH readers share: types of voxels and their conversion. Private to Formats/.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// @file
-/// VTK's error code for a kind of failure.
+/// VTK's error code for a kind of failure. Private to IOSurface/.
 #pragma once
 
 #include <vtkErrorCode.h>

@@ -1,5 +1,5 @@
 /// @file
-/// The gate before VTK's legacy reader, which does not survive files that end early.
+/// The gate before VTK's legacy reader, which does not survive files that end early. Private to IOSurface/.
 #pragma once
 
 #include <cstdint>

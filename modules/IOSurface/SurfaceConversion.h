@@ -1,5 +1,5 @@
 /// @file
-/// Surfaces, regions and volumes between Formats' plain structs and VTK's data objects.
+/// Surfaces, regions and volumes between Formats' plain structs and VTK's data objects. Private to IOSurface/.
 #pragma once
 
 #include <string>

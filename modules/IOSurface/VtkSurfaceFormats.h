@@ -1,5 +1,5 @@
 /// @file
-/// The surface formats that are left to VTK's readers and writers: STL, VTP and legacy VTK.
+/// The surface formats that are left to VTK's readers and writers: STL, VTP and legacy VTK. Private to IOSurface/.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 /// @file
 /// The gate before VTK's XML reader, which does not survive counts that are negative or beyond the file.
+/// Private to IOSurface/.
 #pragma once
 
 #include <cstdint>

@@ -20,12 +20,13 @@ namespace {
 
 /// A FreeSurfer surface may have any ending but that of another kind of file.
 void refuseForeignEnding(const std::string& path, const std::string& extension) {
-  for (const char* foreign : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".pdf", ".html", ".txt", ".tsv", ".csv", ".json",
-                              ".xml", ".nii", ".mgh", ".mgz", ".img", ".hdr", ".annot", ".label"}) {
+  for (const char* foreign : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".pdf", ".html", ".txt", ".tsv", ".csv",
+                              ".json", ".xml", ".nii", ".mgh", ".mgz", ".img", ".hdr", ".annot", ".label"}) {
     if (extension == foreign) {
-      throw authalic::InvalidArgument(path + ": A name that ends as a surface does is required, but \"" + extension +
-                                      "\" belongs to another kind of file; end it in .vtp, .surf.gii, .ply, .off, .obj, .stl or "
-                                      ".vtk, or name it as FreeSurfer does (lh.white).");
+      throw authalic::InvalidArgument(
+          path + ": A name that ends as a surface does is required, but \"" + extension +
+          "\" belongs to another kind of file; end it in .vtp, .surf.gii, .ply, .off, .obj, .stl or "
+          ".vtk, or name it as FreeSurfer does (lh.white).");
     }
   }
 }

@@ -12,9 +12,9 @@
  * | .stl | binary | not stated | arrays, field data, vertex order; coordinates become 32-bit |
  * | none, .white, .pial, .inflated, .sphere … (anything else) | FreeSurfer | tkRAS with the volume geometry, or useRealRAS without | arrays; coordinates become 32-bit |
  *
- * Field data CoordinateSpace, VolumeGeometry, AnatomicalStructurePrimary, AnatomicalStructureSecondary and GeometricType,
- * as vtkSurfaceFileReader gives them, are stored where the format has room. A surface of unknown space is written as it
- * is, and marked unknown where the format can say so.
+ * Field data CoordinateSpace, VolumeGeometry, AnatomicalStructurePrimary, AnatomicalStructureSecondary and
+ * GeometricType, as vtkSurfaceFileReader gives them, are stored where the format has room. A surface of unknown space
+ * is written as it is, and marked unknown where the format can say so.
  *
  * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
  */

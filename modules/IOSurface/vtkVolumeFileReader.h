@@ -4,7 +4,8 @@
  *
  * Output (port 0, vtkImageData): point scalars `Values`, int when the file holds whole numbers of up to 32 bits without
  * scaling, else float with scl_slope and scl_inter applied and NaN kept. Origin, spacing and direction matrix come from
- * the affine of the file, voxels stay in its order: voxel (i, j, k) has its centre where the file says. Extent starts at 0.
+ * the affine of the file, voxels stay in its order: voxel (i, j, k) has its centre where the file says. The extent
+ * starts at 0.
  *
  * | field data | type | meaning |
  * |---|---|---|

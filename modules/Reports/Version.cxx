@@ -1,5 +1,7 @@
 #include "Reports/Version.h"
 
+#include "Core/base/VersionMacros.h"
+
 namespace authalic {
 
 const char* version() noexcept {

@@ -4,7 +4,7 @@
 
 namespace authalic {
 
-/// "MAJOR.MINOR.PATCH".
+/// "MAJOR.MINOR.PATCH" of the library that runs; AUTHALIC_VERSION is that of the headers that were compiled.
 [[nodiscard]] const char* version() noexcept;
 
 }  // namespace authalic

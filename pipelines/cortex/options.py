@@ -8,7 +8,8 @@ TEMPLATES = pathlib.Path("/usr/share/mricron/templates")  # of Debian's mricron-
 DESCRIPTION = """From a T1 MRI to area-preserving flat maps of both hemispheres, with statistics per element.
 
 Without --t1 and --surface the job runs on the T1 of Debian's package mricron-data (0.5 mm; 1 mm with
---fast) and its AAL labels. Everything goes to the folder --out; open its index.html. Nothing here is a medical device."""
+--fast) and its AAL labels. Everything goes to the folder --out; open its index.html. Nothing here is a
+medical device."""
 
 
 def parse(arguments=None):
@@ -30,8 +31,10 @@ def parse(arguments=None):
                         help="of --surface; default: from its file name, else from its side")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/cortex"), metavar="DIR",
                         help="folder for results (default: %(default)s)")
-    parser.add_argument("--fast", action="store_true", help="coarser surfaces, and the 1 mm T1 of mricron-data by default")
-    parser.add_argument("--faces", type=positive, metavar="N", help="triangles per hemisphere (140000; 80000 with --fast)")
+    parser.add_argument("--fast", action="store_true",
+                        help="coarser surfaces, and the 1 mm T1 of mricron-data by default")
+    parser.add_argument("--faces", type=positive, metavar="N",
+                        help="triangles per hemisphere (140000; 80000 with --fast)")
     parser.add_argument("--elements", type=positive, metavar="N", help="elements per hemisphere")
     parser.add_argument("--element-area", type=float, metavar="MM2", help="area of an element instead of their number")
     parser.add_argument("--no-pictures", action="store_true", help="data only, no pictures and no index.html")

@@ -55,7 +55,8 @@ STYLE = """
 body { font: 16px/1.5 sans-serif; color: #1a1a1f; max-width: 1700px; margin: 0 auto; padding: 1.2em; }
 h1 { margin-bottom: .1em; } h2 { margin: 1.8em 0 .3em; border-bottom: 1px solid #ccc; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(420px, 1fr)); gap: 1em; }
-figure { margin: 0; } figcaption { font-weight: bold; text-align: center; } img { width: 100%; border: 1px solid #e4e4e4; }
+figure { margin: 0; } figcaption { font-weight: bold; text-align: center; }
+img { width: 100%; border: 1px solid #e4e4e4; }
 table { border-collapse: collapse; } td, th { padding: .2em .9em; border-bottom: 1px solid #e4e4e4; text-align: left; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; } tr.head th { background: #f3f3f5; }
 .look { background: #eef3fa; border-left: 4px solid #0059b3; padding: .4em .8em; }
@@ -63,8 +64,8 @@ td.n { text-align: right; font-variant-numeric: tabular-nums; } tr.head th { bac
 code { background: #f3f3f5; padding: 0 .2em; } .scroll { overflow-x: auto; } p { max-width: 75em; }
 """
 
-NOTE = ("Not a medical device. These maps and numbers are for research and teaching; they are not validated for, and must "
-        "not be used in, diagnosis or treatment.")
+NOTE = ("Not a medical device. These maps and numbers are for research and teaching; they are not validated for, and "
+        "must not be used in, diagnosis or treatment.")
 
 
 def write(path, title, lead, tables, pictures, warnings):

@@ -11,5 +11,5 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 authalic_install
 authalic_build release
 authalic_display
-site="$(echo "$authalic_root"/build/release/lib/python3*/site-packages)"
+site="$(echo "$authalic_root"/build/release/lib/python3*/dist-packages)"
 PYTHONPATH="$site${PYTHONPATH:+:$PYTHONPATH}" /usr/bin/python3 "$here/cortex.py" "$@"

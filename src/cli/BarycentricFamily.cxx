@@ -10,9 +10,9 @@ class BarycentricFamily : public MapFamily {
   std::vector<std::string> methods() const override { return {"tutte", "harmonic", "mean-value"}; }
 
   std::string description() const override {
-    return "tutte (combinatorial; never folds on a convex domain), harmonic (cotangent weights; low angle distortion, may "
-           "fold), mean-value (nearly harmonic; never folds on a convex domain): a disk to --domain disk, square, "
-           "rectangle:ASPECT or polygon:FILE.";
+    return "tutte (combinatorial; never folds on a convex domain), harmonic (cotangent weights; low angle "
+           "distortion, may fold), mean-value (nearly harmonic; never folds on a convex domain): a disk to --domain "
+           "disk, square, rectangle:ASPECT or polygon:FILE.";
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method, const SharedMapOptions& shared,

@@ -30,14 +30,16 @@ VerbHelp cutHelp() {
   help.summary = "open a closed surface to a disk by removing a region";
   help.synopsis = "cut SURFACE -o DISK [--region ARRAY|FILE [--values LABEL...] [--keep] | --plane X Y Z NX NY NZ]";
   help.description =
-      "Removes the faces that touch the region (the medial wall) and keeps the largest piece, as a topological disk: what the "
-      "region encloses goes with it, and the rim is smoothed. DISK (.vtp) keeps the order of vertices and faces and has the "
-      "point array OriginalPointIds.";
-  help.examples = {"authalic cut surfaces/lh.white.vtp -o lh.disk.vtp\n  removes the array MedialWall that authalic extract made",
-                   "authalic cut lh.pial -o lh.disk.vtp --region lh.cortex.label --keep\n  keeps FreeSurfer's cortex label",
-                   "authalic cut lh.pial -o lh.disk.vtp --region lh.aparc.annot --values unknown corpuscallosum\n"
-                   "  removes two regions of an annotation",
-                   "authalic cut ball.off -o cap.vtp --plane 0 0 0 0 0 -1\n  removes what lies below z = 0"};
+      "Removes the faces that touch the region (the medial wall) and keeps the largest piece, as a topological "
+      "disk: what the region encloses goes with it, and the rim is smoothed. DISK (.vtp) keeps the order of "
+      "vertices and faces and has the point array OriginalPointIds.";
+  help.examples = {
+      "authalic cut surfaces/lh.white.vtp -o lh.disk.vtp\n"
+      "  removes the array MedialWall that authalic extract made",
+      "authalic cut lh.pial -o lh.disk.vtp --region lh.cortex.label --keep\n  keeps FreeSurfer's cortex label",
+      "authalic cut lh.pial -o lh.disk.vtp --region lh.aparc.annot --values unknown corpuscallosum\n"
+      "  removes two regions of an annotation",
+      "authalic cut ball.off -o cap.vtp --plane 0 0 0 0 0 -1\n  removes what lies below z = 0"};
   return help;
 }
 
@@ -50,7 +52,8 @@ int regionId(vtkPolyData* surface, const std::string& array, const std::string& 
   for (vtkIdType i = 0; names && ids && i < names->GetNumberOfValues(); ++i) {
     if (names->GetValue(i) == value) return static_cast<int>(ids->GetComponent(i, 0));
   }
-  throw Failure(UsageProblem, "--values needs label numbers or names of regions of '" + array + "'; '" + value + "' is neither.");
+  throw Failure(UsageProblem,
+                "--values needs label numbers or names of regions of '" + array + "'; '" + value + "' is neither.");
 }
 
 void runCut(const CutOptions& o, const Session& session) {
@@ -81,9 +84,14 @@ void addCut(CLI::App& app, Session& session) {
   CLI::App* verb = addVerb(app, session, cutHelp());
   verb->add_option("SURFACE", o->surface, "A closed surface of genus 0.")->required();
   verb->add_option("-o,--output", o->output, "The disk.")->type_name("DISK")->required();
-  CLI::Option* region = verb->add_option("--region", o->region, "What to remove: a point array of SURFACE, or a file (.annot, .label, .label.gii, text).")
-      ->type_name("ARRAY|FILE")->default_str(defaults->GetRegionArrayName());
-  verb->add_option("--values", o->values, "Labels (numbers, or names of an annotation) that form the region; without it, every label but 0.")
+  CLI::Option* region =
+      verb->add_option("--region", o->region,
+                       "What to remove: a point array of SURFACE, or a file (.annot, .label, .label.gii, text).")
+          ->type_name("ARRAY|FILE")
+          ->default_str(defaults->GetRegionArrayName());
+  verb->add_option(
+          "--values", o->values,
+          "Labels (numbers, or names of an annotation) that form the region; without it, every label but 0.")
       ->type_name("LABEL...");
   verb->add_flag("--keep", o->keep, "The region is what to keep.");
   verb->add_option("--plane", o->plane, "Remove the side of a plane: a point and the normal towards that side, mm.")

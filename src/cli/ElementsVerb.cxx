@@ -34,12 +34,15 @@ VerbHelp elementsHelp() {
   help.summary = "cortical elements of equal area, and statistics on them";
   help.synopsis = "elements MAP -o ELEMENTS.tsv [OPTIONS]";
   help.description =
-      "Lays an isotropic grid on the image of an area-preserving map; the preimage of a cell is an element. Faces that "
-      "straddle a line are split exactly. ELEMENTS.tsv has one row per element: id, area in mm², centroid, majority label, and "
-      "n, mean, sd, median, min, max and coverage of every field, weighted by area; ELEMENTS.json describes the columns.\n\n"
-      "Fields are the arrays that authalic sample left on MAP (those with a Coverage array), or those named with --field.";
+      "Lays an isotropic grid on the image of an area-preserving map; the preimage of a cell is an element. "
+      "Faces that straddle a line are split exactly. ELEMENTS.tsv has one row per element: id, area in mm², "
+      "centroid, majority label, and n, mean, sd, median, min, max and coverage of every field, weighted by "
+      "area; ELEMENTS.json describes the columns.\n\n"
+      "Fields are the arrays that authalic sample left on MAP (those with a Coverage array), or those named with "
+      "--field.";
   help.examples = {"authalic elements lh.pet.vtp -o lh.elements.tsv --elements 400 --hemi L",
-                   "authalic elements lh.pet.vtp -o lh.elements.tsv --labels AAL --label-names aal.txt --regions lh.regions.tsv --grid lh.grid.vtp"};
+                   "authalic elements lh.pet.vtp -o lh.elements.tsv --labels AAL --label-names aal.txt "
+                   "--regions lh.regions.tsv --grid lh.grid.vtp"};
   help.references = {"Zou, Hu, Gu, Hua 2011 (cortical elements)"};
   return help;
 }
@@ -47,7 +50,9 @@ VerbHelp elementsHelp() {
 /// "12 Name ..." per line; # starts a comment.
 void addNamedRegions(vtkElementStatistics* statistics, const std::string& path) {
   std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) throw Failure(FileProblem, path + ": a text file of label numbers and names is required; it cannot be read.");
+  if (!file || std::filesystem::is_directory(path)) {
+    throw Failure(FileProblem, path + ": a text file of label numbers and names is required; it cannot be read.");
+  }
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     int id = 0;
@@ -91,7 +96,8 @@ void runElements(const ElementsOptions& o, const Session& session) {
     if (o.labelNames.empty()) addTableRegions(statistics, map, statistics->GetLabelArrayName());
     else addNamedRegions(statistics, o.labelNames);
   } else if (!o.regions.empty()) {
-    throw Failure(UsageProblem, "--regions needs --labels: the array or file that says which region a vertex belongs to.");
+    throw Failure(UsageProblem,
+                  "--regions needs --labels: the array or file that says which region a vertex belongs to.");
   }
   vtkNew<vtkElementGrid> grid;
   setGrid(grid, o);
@@ -115,19 +121,34 @@ void addElements(CLI::App& app, Session& session) {
   merge << defaults->GetMergeBelow();
   CLI::App* verb = addVerb(app, session, elementsHelp());
   verb->add_option("MAP", o->map, "A MAP.vtp of authalic map, with sampled arrays if any.")->required();
-  verb->add_option("-o,--output", o->output, "One row per element; the description goes beside it as .json.")->type_name("ELEMENTS.tsv")->required();
-  CLI::Option* count = verb->add_option("--elements", o->elements, "How many elements are wanted; the nearest grid is taken.")
-      ->type_name("N")->check(CLI::Range(1, 4000000))->default_str(std::to_string(defaults->GetNumberOfElements()));
-  verb->add_option("--area", o->area, "Wanted native area of an element, mm².")->type_name("MM2")->check(positive())->excludes(count);
+  verb->add_option("-o,--output", o->output, "One row per element; the description goes beside it as .json.")
+      ->type_name("ELEMENTS.tsv")
+      ->required();
+  CLI::Option* count =
+      verb->add_option("--elements", o->elements, "How many elements are wanted; the nearest grid is taken.")
+          ->type_name("N")
+          ->check(CLI::Range(1, 4000000))
+          ->default_str(std::to_string(defaults->GetNumberOfElements()));
+  verb->add_option("--area", o->area, "Wanted native area of an element, mm².")
+      ->type_name("MM2")
+      ->check(positive())
+      ->excludes(count);
   verb->add_option("--frame", o->frame, "The rectangle that is divided: " + oneOf(frames) + ".")
       ->type_name("NAME")->default_str(frames[static_cast<std::size_t>(defaults->GetFrame())]);
-  verb->add_option("--merge-below", o->mergeBelow, "A cell covered by less than this fraction joins a neighbour, 0 to 0.5.")
-      ->type_name("X")->check(CLI::Range(0.0, 0.5))->default_str(merge.str());
-  verb->add_option("--field", o->fields, "Arrays of MAP, or files with one number per vertex.")->type_name("ARRAY|FILE...");
+  verb->add_option("--merge-below", o->mergeBelow,
+                   "A cell covered by less than this fraction joins a neighbour, 0 to 0.5.")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, 0.5))
+      ->default_str(merge.str());
+  verb->add_option("--field", o->fields, "Arrays of MAP, or files with one number per vertex.")
+      ->type_name("ARRAY|FILE...");
   verb->add_option("--labels", o->labels, "Label per vertex: an array of MAP, or a file.")->type_name("ARRAY|FILE");
-  verb->add_option("--label-names", o->labelNames, "Text file: number and name of a region per line.")->type_name("FILE");
+  verb->add_option("--label-names", o->labelNames, "Text file: number and name of a region per line.")
+      ->type_name("FILE");
   verb->add_option("--regions", o->regions, "One row per region.")->type_name("REGIONS.tsv");
-  verb->add_option("--hemi", o->hemisphere, "What the column hemi says: L or R.")->type_name("L|R")->check(CLI::IsMember({"L", "R"}));
+  verb->add_option("--hemi", o->hemisphere, "What the column hemi says: L or R.")
+      ->type_name("L|R")
+      ->check(CLI::IsMember({"L", "R"}));
   verb->add_option("--grid", o->grid, "The map with ElementId per vertex and face.")->type_name("MAP.vtp");
   verb->add_option("--json", o->json, "Grid and deviations of element areas.")->type_name("FILE");
   verb->callback([o, &session] { runElements(*o, session); });

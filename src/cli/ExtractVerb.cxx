@@ -27,10 +27,11 @@ VerbHelp extractHelp() {
   help.summary = "white surfaces of both hemispheres from a T1 volume";
   help.synopsis = "extract T1 -o FOLDER [--labels VOLUME] [OPTIONS]";
   help.description =
-      "Segments white matter, fills ventricles and subcortical grey matter, takes cerebellum and brainstem away, splits the "
-      "hemispheres and makes a closed surface of genus 0 of each, by construction. Without --labels the T1 must be "
-      "skull-stripped. Leaves FOLDER/lh.white.vtp and FOLDER/rh.white.vtp (or .surf.gii, or FreeSurfer's lh.white) in scanner "
-      "RAS mm; .vtp also has the point array MedialWall, which authalic cut takes.";
+      "Segments white matter, fills ventricles and subcortical grey matter, takes cerebellum and brainstem away, "
+      "splits the hemispheres and makes a closed surface of genus 0 of each, by construction. Without --labels "
+      "the T1 must be skull-stripped. Leaves FOLDER/lh.white.vtp and FOLDER/rh.white.vtp (or .surf.gii, or "
+      "FreeSurfer's lh.white) in scanner RAS mm; .vtp also has the point array MedialWall, which authalic cut "
+      "takes.";
   help.examples = {"authalic extract ch2better.nii.gz --labels aal.nii.gz -o surfaces",
                    "authalic extract brain.mgz --labels aparc+aseg.mgz --convention freesurfer -o surfaces --faces 0\n"
                    "  keeps every triangle"};
@@ -87,7 +88,9 @@ void addExtract(CLI::App& app, Session& session) {
   vtkNew<vtkCorticalSurface> defaults;
   CLI::App* verb = addVerb(app, session, extractHelp());
   verb->add_option("T1", o->t1, "NIfTI or MGH volume.")->required();
-  verb->add_option("-o,--output", o->output, "Folder for the surfaces; made when missing.")->type_name("FOLDER")->required();
+  verb->add_option("-o,--output", o->output, "Folder for the surfaces; made when missing.")
+      ->type_name("FOLDER")
+      ->required();
   verb->add_option("--labels", o->labels, "Region labels on any grid.")->type_name("VOLUME");
   verb->add_option("--convention", o->convention, "What the labels mean: " + oneOf(conventions) + ".")
       ->type_name("NAME")->capture_default_str();

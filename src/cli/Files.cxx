@@ -143,7 +143,8 @@ void requireFolder(const std::string& path) {
   try {
     const AtomicFile probe((nearest / "authalic.probe").string());
   } catch (const Error&) {
-    throw Failure(FileProblem, path + ": a folder that can be written to is required, but " + nearest.string() + " does not allow it.");
+    throw Failure(FileProblem, path + ": a folder that can be written to is required, but " + nearest.string() +
+                                   " does not allow it.");
   }
 }
 
@@ -233,7 +234,8 @@ std::vector<std::vector<double>> readNumbers(const std::string& path) {
         used = 0;
       }
       if (used != word.size()) {
-        throw Failure(FileProblem, path + ": line " + std::to_string(number) + " has '" + word + "', which is no number.");
+        throw Failure(FileProblem,
+                      path + ": line " + std::to_string(number) + " has '" + word + "', which is no number.");
       }
     }
     if (!row.empty()) rows.push_back(row);

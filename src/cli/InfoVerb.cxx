@@ -25,9 +25,9 @@ VerbHelp infoHelp() {
   help.summary = "what a surface is: topology, size, space, defects";
   help.synopsis = "info SURFACE [--json FILE]";
   help.description =
-      "Prints vertices, edges, faces, the Euler characteristic, genus, components and boundary loops with their lengths in "
-      "mm, area in mm², bounding box, the space of the coordinates and how it was decided, and every kind of defect with "
-      "places. Defects are not an error: the exit code is 0 for any surface that can be read.";
+      "Prints vertices, edges, faces, the Euler characteristic, genus, components and boundary loops with their "
+      "lengths in mm, area in mm², bounding box, the space of the coordinates and how it was decided, and every "
+      "kind of defect with places. Defects are not an error: the exit code is 0 for any surface that can be read.";
   help.examples = {"authalic info lh.pial\n  prints the report of a FreeSurfer surface",
                    "authalic info cow.obj --json cow.json\n  also writes every defect with its place"};
   return help;

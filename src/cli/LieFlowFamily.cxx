@@ -20,18 +20,27 @@ class LieFlowFamily : public MapFamily {
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", oneOf(initials) + ", or a MAP.vtp to the same domain (default: " + initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
-            {"--tolerance", "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
-            {"--max-iterations", "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+    return {{"--initial", oneOf(initials) + ", or a MAP.vtp to the same domain (default: " +
+                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
+            {"--tolerance",
+             "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--max-iterations",
+             "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
-    own(verb->add_option("--step-ratio", stepRatio_, "Step as a part of the first flip of a triangle, between 0 and 1."))
-        ->type_name("X")->default_str(shown(defaults_->GetStepRatio()));
-    own(verb->add_option("--fixed-step", fixedStep_, "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
-        ->type_name("X")->default_str(shown(defaults_->GetFixedStep()));
-    own(verb->add_option("--finish", finish_, "After the flow, on the input's connectivity: " + oneOf(finishes) + " areas."))
-        ->type_name("HOW")->default_str(finishes[static_cast<std::size_t>(defaults_->GetFinish())]);
+    own(verb->add_option("--step-ratio", stepRatio_,
+                         "Step as a part of the first flip of a triangle, between 0 and 1."))
+        ->type_name("X")
+        ->default_str(shown(defaults_->GetStepRatio()));
+    own(verb->add_option("--fixed-step", fixedStep_,
+                         "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
+        ->type_name("X")
+        ->default_str(shown(defaults_->GetFixedStep()));
+    own(verb->add_option("--finish", finish_,
+                         "After the flow, on the input's connectivity: " + oneOf(finishes) + " areas."))
+        ->type_name("HOW")
+        ->default_str(finishes[static_cast<std::size_t>(defaults_->GetFinish())]);
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,

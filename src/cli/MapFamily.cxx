@@ -51,7 +51,8 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
                                   "rectangle:ASPECT or polygon:FILE.");
     }
   }
-  throw Failure(UsageProblem, "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
+  throw Failure(UsageProblem,
+                "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
 }
 
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }

@@ -34,7 +34,8 @@ class MapFamily {
   [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
   /// What they do, for which surfaces, to which domains: a paragraph of the help page.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What those of "--initial", "--tolerance" and "--max-iterations" that the methods take mean to them, with the default.
+  /// What those of "--initial", "--tolerance" and "--max-iterations" that the methods take mean to them, with the
+  /// default.
   [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
   /// Declare the family's own options through own().
   virtual void declare(CLI::App*) {}
@@ -62,7 +63,8 @@ class MapFamily {
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
 
-/// Sets the planar domain that `text` names (disk, square, rectangle:ASPECT, polygon:FILE); the disk when there is none.
+/// Sets the planar domain that `text` names (disk, square, rectangle:ASPECT, polygon:FILE); the disk when there is
+/// none.
 /// @throws Failure
 void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>& text);
 

@@ -42,13 +42,15 @@ VerbHelp mapHelp(const MapOptions& o) {
   for (const auto& family : o.families) help.description += "\n\n" + family->description();
   help.description +=
       "\n\nauthalic info says what the topology of SURFACE is, authalic cut makes a disk of a closed cortex.\n\n"
-      "MAP.vtp holds the image (z = 0 in the plane, double precision) with vertices and faces in the order of the input, the "
-      "point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target share), AngleDistortion and "
-      "Flipped, and every metric in its field data.";
-  help.examples = {"authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n  area-preserving map to the unit disk",
-                   "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
-                   "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-                   "  share of every vertex in proportion to its native area times its number in the file"};
+      "MAP.vtp holds the image (z = 0 in the plane, double precision) with vertices and faces in the order of "
+      "the input, the point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target "
+      "share), AngleDistortion and Flipped, and every metric in its field data.";
+  help.examples = {
+      "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
+      "  area-preserving map to the unit disk",
+      "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
+      "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
+      "  share of every vertex in proportion to its native area times its number in the file"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
                      "Tutte 1963; Pinkall and Polthier 1993; Floater 2003"};
@@ -77,7 +79,8 @@ std::string methodsThat(const MapOptions& o, const Predicate& takes) {
 
 void refuseForeignOptions(const MapOptions& o, const MapFamily& mine) {
   const auto refuse = [&](const CLI::Option* option, const std::string& owners) {
-    throw Failure(UsageProblem, option->get_name() + " belongs to " + owners + "; method " + o.method + " has no such option.");
+    throw Failure(UsageProblem,
+                  option->get_name() + " belongs to " + owners + "; method " + o.method + " has no such option.");
   };
   for (const CLI::Option* option : o.sharedOptions) {
     const auto takes = [&](const MapFamily& family) {
@@ -114,7 +117,8 @@ void runMap(const MapOptions& o, const Session& session) {
 
 void declareOutputs(CLI::App* verb, MapOptions& o) {
   verb->add_option("-o,--output", o.output, "The map.")->type_name("MAP.vtp")->required();
-  verb->add_option("--report", o.report, "Status, residual history, seconds, metrics, flips, topology, options, version.")
+  verb->add_option("--report", o.report,
+                   "Status, residual history, seconds, metrics, flips, topology, options, version.")
       ->type_name("REPORT.json");
   verb->add_flag("--texture-coordinates", o.textureCoordinates,
                  "The points stay the surface; the image becomes texture coordinates in [0, 1].");
@@ -127,19 +131,21 @@ std::string meanings(const MapOptions& o, const std::string& option) {
   for (const auto& family : o.families) {
     const auto taken = family->sharedOptions();
     const auto meaning = taken.find(option);
-    if (meaning != taken.end()) text += (text.empty() ? "" : " ") + oneOf(family->methods()) + ": " + meaning->second + ".";
+    if (meaning != taken.end()) {
+      text += (text.empty() ? "" : " ") + oneOf(family->methods()) + ": " + meaning->second + ".";
+    }
   }
   return text;
 }
 
 void declareShared(CLI::App* verb, MapOptions& o) {
   verb->add_option("--domain", o.shared.domain,
-                   "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / height, height "
-                   "1), polygon:FILE (x y of a corner per line), sphere (unit).")
+                   "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
+                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit).")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
-                   "Density relative to the native area, > 0, one number per vertex (or per face): an array of SURFACE, or a "
-                   "file (text, morphometry, GIFTI).")
+                   "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
+                   "SURFACE, or a file (text, morphometry, GIFTI).")
       ->type_name("ARRAY|FILE");
   o.sharedOptions = {
       verb->add_option("--initial", o.shared.initial, meanings(o, "--initial"))->type_name("METHOD|MAP.vtp"),

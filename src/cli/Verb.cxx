@@ -45,11 +45,14 @@ class Page : public CLI::Formatter {
     std::ostringstream out;
     out << "authalic " << help_.name << (help_.name.empty() ? "" : " ") << "- " << help_.summary << "\n\nSYNOPSIS\n\n"
         << wrapped("authalic " + help_.synopsis, 4) << "\nDESCRIPTION\n\n" << wrapped(help_.description, 4);
-    out << section("VERBS", verbs(app)) << make_positionals(app) << compact(make_groups(app, CLI::AppFormatMode::Normal), "\n\n\n");
+    out << section("VERBS", verbs(app)) << make_positionals(app)
+        << compact(make_groups(app, CLI::AppFormatMode::Normal), "\n\n\n");
     if (!help_.examples.empty()) out << "\nEXAMPLES\n";
     for (const std::string& example : help_.examples) out << "\n" << indented(example);
     std::string references;
-    for (const std::string& reference : help_.references) references += (references.empty() ? "" : "\n") + reference + "\n";
+    for (const std::string& reference : help_.references) {
+      references += (references.empty() ? "" : "\n") + reference + "\n";
+    }
     out << section("REFERENCES", references) << section("EXIT CODES", compact(exitCodes, "\n\n"));
     return out.str();
   }
@@ -137,10 +140,10 @@ void describeProgram(CLI::App& app) {
   help.summary = "area-preserving maps of cortical surfaces";
   help.synopsis = "VERB ARGUMENTS [OPTIONS]";
   help.description =
-      "Turns a T1 volume into cortical surfaces, opens them to disks, maps them to the plane without changing areas, and "
-      "makes statistics on elements of equal native area. Each verb does one step and leaves files that the next one "
-      "reads; authalic VERB --help describes it.\n\nstdout is data, stderr is words. Files appear whole or not at all. "
-      "Coordinates are scanner RAS in mm.";
+      "Turns a T1 volume into cortical surfaces, opens them to disks, maps them to the plane without changing "
+      "areas, and makes statistics on elements of equal native area. Each verb does one step and leaves files "
+      "that the next one reads; authalic VERB --help describes it.\n\n"
+      "stdout is data, stderr is words. Files appear whole or not at all. Coordinates are scanner RAS in mm.";
   help.examples = {
       "authalic extract t1.nii.gz --labels aal.nii.gz -o surfaces\nauthalic cut surfaces/lh.white.vtp -o lh.disk.vtp\n"
       "authalic map lie-flow lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
@@ -153,13 +156,17 @@ void describeProgram(CLI::App& app) {
 
 std::string oneOf(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
   return text;
 }
 
 int choice(const std::string& option, const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) throw Failure(UsageProblem, option + " must be " + oneOf(names) + "; it is '" + name + "'.");
+  if (found == names.end()) {
+    throw Failure(UsageProblem, option + " must be " + oneOf(names) + "; it is '" + name + "'.");
+  }
   return static_cast<int>(found - names.begin());
 }
 

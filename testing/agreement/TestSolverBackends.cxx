@@ -8,7 +8,8 @@ using namespace authalic::testing;
 
 TEST(SolverBackends, GiveTheSameMaps) {
   const DiskMesh disk(bumpyDisk(20, 1.0));
-  for (const auto weights : {BarycentricWeights::Uniform, BarycentricWeights::Harmonic, BarycentricWeights::MeanValue}) {
+  for (const auto weights :
+       {BarycentricWeights::Uniform, BarycentricWeights::Harmonic, BarycentricWeights::MeanValue}) {
     BarycentricMapOptions options;
     options.weights = weights;
     options.solver = SolverBackend::EigenLDLT;

@@ -1,6 +1,7 @@
 """Samples real volumes on real surfaces with Authalic, scipy and wb_command, and compares.
 
-nibabel reads and orients independently of Authalic. Leaves with 77 (skipped) when nibabel, scipy or the data are missing.
+nibabel reads and orients independently of Authalic. Leaves with 77 (skipped) when nibabel, scipy or the data
+are missing.
 """
 
 import argparse
@@ -56,7 +57,8 @@ def gifti(path):
 def samples_of(surface, volume, mode, reducer, interpolation, other=None):
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
-        words = [OPTIONS.dump, "sample", surface, volume, out, mode, reducer, interpolation] + ([other] if other else [])
+        words = [OPTIONS.dump, "sample", surface, volume, out, mode, reducer, interpolation]
+        words += [other] if other else []
         done = subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise AssertionError(done.stderr)

@@ -80,7 +80,8 @@ TEST(CircleDomainMap, TakesBackAMobiusTransformationOfACircleDomainExactly) {
 }
 
 TEST(CircleDomainMap, OfACircleDomainOnTheSphereIsStereographicProjection) {
-  // Exactly so, but for the edges at the holes that the flow flips: the other diagonal is no chord of the sphere's mesh.
+  // Exactly so, but for the edges at the holes that the flow flips: the other diagonal is no chord of the sphere's
+  // mesh.
   const TriangleMesh domain = holedDisk(16, twoHoles());
   Points3 points(domain.vertexCount(), 3);
   for (int v = 0; v < domain.vertexCount(); ++v) {

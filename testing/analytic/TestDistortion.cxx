@@ -31,7 +31,9 @@ Points2 lambert(const TriangleMesh& cap) {
 /// Stereographic image from −z: conformal.
 Points2 stereographic(const TriangleMesh& cap) {
   Points2 image(cap.vertexCount(), 2);
-  for (int i = 0; i < cap.vertexCount(); ++i) image.row(i) = cap.points().row(i).leftCols<2>() / (1 + cap.points()(i, 2));
+  for (int i = 0; i < cap.vertexCount(); ++i) {
+    image.row(i) = cap.points().row(i).leftCols<2>() / (1 + cap.points()(i, 2));
+  }
   return image;
 }
 
@@ -59,7 +61,8 @@ TEST(Distortion, OfALinearMapHasItsSingularValues) {
   EXPECT_NEAR(d.summary.areaDistortion, 2, 1e-13);
   EXPECT_NEAR(d.summary.angleDistortion, 3 + 1.0 / 3, 1e-12);
   EXPECT_NEAR(d.summary.symmetricDirichlet, 2 * (3 + 1.0 / 3), 1e-12);
-  EXPECT_NEAR(d.summary.asRigidAsPossible, std::pow(std::sqrt(3.0) - 1, 2) + std::pow(1 / std::sqrt(3.0) - 1, 2), 1e-12);
+  EXPECT_NEAR(d.summary.asRigidAsPossible, std::pow(std::sqrt(3.0) - 1, 2) + std::pow(1 / std::sqrt(3.0) - 1, 2),
+              1e-12);
   EXPECT_NEAR(std::abs(d.arrays.beltrami[0] - std::complex<double>(0.5, 0)), 0, 1e-12);
   EXPECT_NEAR(d.arrays.sigmaMin[0], 1 / std::sqrt(3.0), 1e-12);
 }

@@ -36,7 +36,8 @@ Eigen::ArrayXd lambertErrors(int rings, LieFlowFinish finish) {
 }  // namespace
 
 TEST(DiscreteLieFlow, ConvergesToLambertsProjectionOfASphericalCap) {
-  const double coarse = lambertErrors(12, LieFlowFinish::None).mean(), middle = lambertErrors(24, LieFlowFinish::None).mean(),
+  const double coarse = lambertErrors(12, LieFlowFinish::None).mean(),
+               middle = lambertErrors(24, LieFlowFinish::None).mean(),
                fine = lambertErrors(48, LieFlowFinish::None).mean();
   EXPECT_GT(coarse / middle, 2.5);
   EXPECT_GT(middle / fine, 2.5);

@@ -27,7 +27,8 @@ const DiskMesh& mesh(std::int64_t which) {
   static std::map<std::int64_t, DiskMesh> meshes;
   const auto found = meshes.find(which);
   if (found != meshes.end()) return found->second;
-  return meshes.emplace(which, DiskMesh(readOff(sharedData(std::string("meshes/open_disk/") + kMeshes[which] + ".off"))))
+  return meshes
+      .emplace(which, DiskMesh(readOff(sharedData(std::string("meshes/open_disk/") + kMeshes[which] + ".off"))))
       .first->second;
 }
 

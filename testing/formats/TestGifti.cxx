@@ -16,8 +16,9 @@ using authalic::testing::TemporaryFolder;
 
 /// A document of one array.
 std::string document(const std::string& attributes, const std::string& data, const std::string& before = "") {
-  return "<?xml version=\"1.0\"?>" + before + "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"1\"><DataArray Intent=\"NIFTI_INTENT_NONE\" " +
-         attributes + "><Data>" + data + "</Data></DataArray></GIFTI>";
+  return "<?xml version=\"1.0\"?>" + before +
+         "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"1\"><DataArray Intent=\"NIFTI_INTENT_NONE\" " + attributes +
+         "><Data>" + data + "</Data></DataArray></GIFTI>";
 }
 
 std::string attributes(const std::string& type, const std::string& dims, const std::string& encoding,
@@ -68,7 +69,8 @@ TEST(Gifti, ReadsEveryNumberTypeInBothByteOrders) {
 TEST(Gifti, TurnsColumnMajorIntoRowMajor) {
   const std::string dims = "Dimensionality=\"2\" Dim0=\"2\" Dim1=\"3\"";
   const auto file = readText(document(
-      attributes("INT32", dims, "ASCII", "Endian=\"LittleEndian\" ArrayIndexingOrder=\"ColumnMajorOrder\""), "1 4 2 5 3 6"));
+      attributes("INT32", dims, "ASCII", "Endian=\"LittleEndian\" ArrayIndexingOrder=\"ColumnMajorOrder\""),
+      "1 4 2 5 3 6"));
   EXPECT_EQ(file.arrays[0].values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
 }
 
@@ -99,8 +101,9 @@ TEST(Gifti, ReadsExternalFilesBesideTheDocumentAndRefusesShortOnes) {
   const TemporaryFolder folder;
   std::ofstream(folder / "x.dat", std::ios::binary) << std::string("\xAA\x01\0\0\0\x02\0\0\0", 9);
   const auto text = [](const char* offset) {
-    return document(attributes("INT32", kTwo, "ExternalFileBinary") + " ExternalFileName=\"x.dat\" ExternalFileOffset=\"" +
-                        offset + "\"", "");
+    return document(attributes("INT32", kTwo, "ExternalFileBinary") +
+                        " ExternalFileName=\"x.dat\" ExternalFileOffset=\"" + offset + "\"",
+                    "");
   };
   std::ofstream(folder / "a.gii") << text("1");
   std::ofstream(folder / "b.gii") << text("2");
@@ -196,7 +199,8 @@ TEST(Gifti, ReadsTheOldLabelTableAndRefusesSparseData) {
   EXPECT_EQ(annotation.regions[0].name, "four");
   EXPECT_EQ(annotation.labels, (std::vector<std::int32_t>{0, 4}));
   std::ofstream(folder / "b.func.gii") << "<GIFTI><DataArray Intent=\"NIFTI_INTENT_NODE_INDEX\" " +
-                                              attributes("INT32", kTwo, "ASCII") + "><Data>0 4</Data></DataArray></GIFTI>";
+                                              attributes("INT32", kTwo, "ASCII") +
+                                              "><Data>0 4</Data></DataArray></GIFTI>";
   EXPECT_THROW(static_cast<void>(readVertexScalars(folder / "b.func.gii")), FormatError);
 }
 

@@ -190,8 +190,9 @@ TEST(SurfaceFile, OffWithNormalsKeepsItsCoordinates) {
 
 TEST(SurfaceFile, OffAcceptsCommentsColoursAndPolygons) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "a.off") << "COFF # colours\n# comment\n4 2 0\n\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n1 1 0 0 0 0 0\n"
-                                     "0 1 +1e0 0 0 0 0\n4 0 1 2 3 0.5 0.5 0.5\n2 0 1\n";
+  std::ofstream(folder / "a.off")
+      << "COFF # colours\n# comment\n4 2 0\n\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n1 1 0 0 0 0 0\n"
+         "0 1 +1e0 0 0 0 0\n4 0 1 2 3 0.5 0.5 0.5\n2 0 1\n";
   const SurfaceFile surface = readSurface(folder / "a.off");
   EXPECT_EQ(surface.faces, (std::vector<int>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(surface.points[11], 1);
@@ -208,9 +209,10 @@ TEST(SurfaceFile, ObjWithTextureSeamsStaysOneSurface) {
 
 TEST(SurfaceFile, PlyIsReadInTextAndBothByteOrders) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "a.ply") << "ply\nformat ascii 1.0\ncomment x\nelement vertex 3\nproperty uchar red\nproperty float x\n"
-                                     "property float y\nproperty float z\nelement face 1\n"
-                                     "property list uchar int vertex_index\nend_header\n9 0 0 0\n9 1 0 0\n9 0 1 2.5\n3 0 1 2\n";
+  std::ofstream(folder / "a.ply")
+      << "ply\nformat ascii 1.0\ncomment x\nelement vertex 3\nproperty uchar red\nproperty float x\n"
+         "property float y\nproperty float z\nelement face 1\n"
+         "property list uchar int vertex_index\nend_header\n9 0 0 0\n9 1 0 0\n9 0 1 2.5\n3 0 1 2\n";
   std::string header = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                        "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n";
   std::vector<std::uint8_t> bytes(header.begin(), header.end());

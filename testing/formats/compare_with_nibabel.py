@@ -1,6 +1,7 @@
 """Reads files with Authalic and with nibabel, and what Authalic writes with nibabel and wb_command, and compares.
 
-Every coordinate, value, label and affine must be the same. Leaves with 77 (skipped) when nibabel or the data are missing.
+Every coordinate, value, label and affine must be the same. Leaves with 77 (skipped) when nibabel or the data are
+missing.
 """
 
 import argparse
@@ -193,9 +194,10 @@ class Volumes(Case):
         return np.array([[float(x) for x in row.split()] for row in facts[1:5]]), facts
 
     def test_volumes(self):
-        names = ["ASR.nii.gz", "LPS.nii.gz", "RAS.nii.gz", "SRA.nii.gz", "anatomical.nii", "big.nii.gz", "little.nii.gz",
-                 "example4d.nii.gz", "example_nifti2.nii.gz", "functional.nii", "low_res.nii.gz", "ras.hdr", "ras.img",
-                 "resampled_anat_moved.nii", "someones_anatomy.nii.gz", "test.mgz", "with_extension.nii.gz"]
+        names = ["ASR.nii.gz", "LPS.nii.gz", "RAS.nii.gz", "SRA.nii.gz", "anatomical.nii", "big.nii.gz",
+                 "little.nii.gz", "example4d.nii.gz", "example_nifti2.nii.gz", "functional.nii", "low_res.nii.gz",
+                 "ras.hdr", "ras.img", "resampled_anat_moved.nii", "someones_anatomy.nii.gz", "test.mgz",
+                 "with_extension.nii.gz"]
         files = [data("volumes/edge/" + n) for n in names] + glob.glob(data("volumes/ct/*.nii.gz")) + glob.glob(
             data("volumes/spm12/*.nii")) + glob.glob(data("volumes/mni/*t1*")) + glob.glob(data("cortex/*_fs/*.mgz"))
         self.assertGreater(len(files), 24)

@@ -3,8 +3,8 @@
 
     check_house.py CHECK ROOT
 
-CHECK is one of function-length, file-length, dependencies, leftovers, layout, citations, fixtures.
-Exits 1 with one line per violation.
+CHECK is one of function-length, file-length, line-length, dependencies, private-headers, leftovers, layout, citations,
+fixtures. Exits 1 with one line per violation.
 """
 import hashlib
 import pathlib
@@ -13,6 +13,7 @@ import sys
 
 MAX_FUNCTION_LINES = 80
 MAX_FILE_LINES = 600
+MAX_COLUMNS = 120
 
 TOP_LEVEL = {"CMakeLists.txt", "CMakePresets.json", "src", "modules", "pipelines", "testing", "data", "docs", "LICENSE",
              "build", "out"}
@@ -76,6 +77,14 @@ def check_file_length(root):
             yield f"{path.relative_to(root)}: {length} lines"
 
 
+def check_line_length(root):
+    for path in sources(root, endings=(".h", ".cxx", ".py")):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            is_table_row = re.match(r"\s*(\*|//[/!])\s*\|", line)  # Markdown has no way to break one
+            if len(line) > MAX_COLUMNS and not is_table_row:
+                yield f"{path.relative_to(root)}:{number}: {len(line)} columns"
+
+
 def architecture(root):
     """The tables of docs/architecture.md: {module: modules it may use} and the order of Core's folders."""
     text = (root / "docs/architecture.md").read_text()
@@ -83,6 +92,29 @@ def architecture(root):
     modules, folders = [table for table in tables if table]
     return ({name: set(re.findall(r"\w+", uses)) for name, uses in modules if name != "module"},
             [name for name, _ in folders if name != "folder"])
+
+
+def private_headers(root):
+    """{header as others would include it: the folder that it belongs to}, from "Private to FOLDER/." near its top."""
+    found = {}
+    for path in sources(root, folders=("modules",), endings=(".h",)):
+        if re.search(r"Private to \w+/", path.read_text()[:600]):
+            inside = path.relative_to(root / "modules")
+            found[str(inside if inside.parts[0] in ("Core", "Formats", "Reports") else inside.name)] = path.parent
+    return found
+
+
+def check_private_headers(root):
+    private = private_headers(root)
+    for path in sources(root, folders=("modules", "src")):
+        text = path.read_text()
+        for header, folder in private.items():
+            if f'#include "{header}"' not in text:
+                continue
+            if path.parent != folder:
+                yield f"{path.relative_to(root)}: {header} is private to {folder.relative_to(root)}"
+            elif path.suffix == ".h" and "Private to " not in text[:600]:
+                yield f"{path.relative_to(root)}: is installed, but {header} is not"
 
 
 def check_dependencies(root):
@@ -125,7 +157,8 @@ def check_leftovers(root):
 
 def check_layout(root):
     for path in sorted(root.iterdir()):
-        if not (path.name.startswith(".") or path.name in TOP_LEVEL or path.suffix == ".md" or path.name == "CITATION.cff"):
+        agreed = path.name in TOP_LEVEL or path.suffix == ".md" or path.name == "CITATION.cff"
+        if not (agreed or path.name.startswith(".")):
             yield f"{path.name}: outside the agreed layout"
 
 

@@ -26,8 +26,8 @@ PICTURES = ("cortex", "flatmap", "checkerboard", "distortion", "histograms", "fi
 
 
 def run(out, *more):
-    return subprocess.run([sys.executable, str(JOB), "--fast", "--out", str(out), *more], capture_output=True, text=True,
-                          timeout=900)
+    return subprocess.run([sys.executable, str(JOB), "--fast", "--out", str(out), *more], capture_output=True,
+                          text=True, timeout=900)
 
 
 def table(path):
@@ -87,7 +87,8 @@ class FastJob(unittest.TestCase):
             self.assertEqual(report["white"]["EulerCharacteristic"], 2)
             self.assertEqual(report["area_preserving"]["FlippedFaces"], 0)
             self.assertLess(report["area_preserving"]["TotalAreaDistortion"], 2.05)
-            self.assertGreater(report["initial"]["TotalAreaDistortion"], report["area_preserving"]["TotalAreaDistortion"])
+            self.assertGreater(report["initial"]["TotalAreaDistortion"],
+                               report["area_preserving"]["TotalAreaDistortion"])
 
     def test_map_lies_in_the_unit_disk_and_keeps_its_vertices(self):
         for side in SIDES:

@@ -18,8 +18,8 @@ class Refusals(unittest.TestCase):
     def refuse(self, code, *arguments):
         """Runs the job; returns what it says."""
         out = self.folder / "out"
-        result = subprocess.run([sys.executable, str(JOB), "--out", str(out), *map(str, arguments)], capture_output=True,
-                                text=True, timeout=100)
+        result = subprocess.run([sys.executable, str(JOB), "--out", str(out), *map(str, arguments)],
+                                capture_output=True, text=True, timeout=100)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertNotIn("Traceback", result.stderr)
         self.assertEqual(result.stdout, "")

@@ -191,8 +191,9 @@ TEST(BarycentricMap, RefusesBadStartVerticesTooFewBoundaryVerticesAndStops) {
   Faces face(1, 3);
   face << 0, 1, 2;
   const DiskMesh triangle{TriangleMesh(points, face)};
-  EXPECT_THROW(static_cast<void>(barycentricMap(triangle, withWeights(BarycentricWeights::Uniform, PlanarDomain::square()))),
-               TopologyError);
+  EXPECT_THROW(
+      static_cast<void>(barycentricMap(triangle, withWeights(BarycentricWeights::Uniform, PlanarDomain::square()))),
+      TopologyError);
   EXPECT_EQ(barycentricMap(triangle).flippedFaces, 0);
   EXPECT_THROW(static_cast<void>(barycentricMap(disk, {}, Execution({}, [] { return true; }))), CancelledError);
 }

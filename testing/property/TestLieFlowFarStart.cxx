@@ -19,7 +19,8 @@ TriangleMesh finger(int rings, double length) {
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const double radius = points.row(i).norm(), cap = 0.2;
     const double across = std::min(radius / cap, 1.0), along = std::max(radius - cap, 0.0) / (1 - cap);
-    const Eigen::RowVector3d direction = radius > 0 ? Eigen::RowVector3d(points.row(i) / radius) : Eigen::RowVector3d::Zero();
+    const Eigen::RowVector3d direction =
+        radius > 0 ? Eigen::RowVector3d(points.row(i) / radius) : Eigen::RowVector3d::Zero();
     points.row(i) = across * direction;
     points(i, 2) = -length * along;
   }

@@ -333,7 +333,8 @@ TEST(RicciFlow, ConvergesForBothChoicesOfRadiiOnGoodTriangles) {
 }
 
 TEST(RicciFlow, SaysHowManyFacesDegenerateWhereItStalls) {
-  // Random lengths and curvatures: overlapping circles run out of triangles; vertex scaling solves every one (see above).
+  // Random lengths and curvatures: overlapping circles run out of triangles; vertex scaling solves every one (see
+  // above).
   int stalled = 0, degenerate = 0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
     const IntrinsicTriangulation t = withRandomLengths(diskMesh(4), seed);

@@ -11,8 +11,8 @@
 
 namespace authalic::testing {
 
-/// `around` × (`along` + 1) vertices on a surface of revolution: radius(t), height(t) for t in [0, 1], every other ring
-/// turned by half a step. Faces look outwards when the height grows; the loop of t = 0 has the smaller ids.
+/// `around` × (`along` + 1) vertices on a surface of revolution: radius(t), height(t) for t in [0, 1], every other
+/// ring turned by half a step. Faces look outwards when the height grows; the loop of t = 0 has the smaller ids.
 template <class Radius, class Height>
 TriangleMesh revolutionMesh(int around, int along, const Radius& radius, const Height& height) {
   Points3 points(around * (along + 1), 3);
@@ -65,8 +65,8 @@ inline TriangleMesh packed(const Points3& points, const std::vector<Eigen::RowVe
   return TriangleMesh(used, faces);
 }
 
-/// The flat unit disk of `rings` rings without round holes: faces that reach into a hole are dropped, so are ears (three
-/// corners on a loop), and the loops are moved onto the circles.
+/// The flat unit disk of `rings` rings without round holes: faces that reach into a hole are dropped, so are ears
+/// (three corners on a loop), and the loops are moved onto the circles.
 inline TriangleMesh holedDisk(int rings, const std::vector<RoundHole>& holes) {
   const TriangleMesh disk = diskMesh(rings);
   std::vector<Eigen::RowVector3i> kept;

@@ -73,7 +73,8 @@ inline TriangleMesh capMesh(int rings, double opening) {
   const TriangleMesh flat = diskMesh(rings);
   Points3 points = flat.points();
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const double radius = points.row(i).norm(), theta = radius * opening, scale = radius > 0 ? std::sin(theta) / radius : 0;
+    const double radius = points.row(i).norm(), theta = radius * opening,
+                 scale = radius > 0 ? std::sin(theta) / radius : 0;
     points.row(i) << points(i, 0) * scale, points(i, 1) * scale, std::cos(theta);
   }
   return TriangleMesh(points, flat.faces());
@@ -85,7 +86,8 @@ inline TriangleMesh bumpyDisk(int rings, double height = 0.5) {
   Points3 points = flat.points();
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const double x = points(i, 0), y = points(i, 1);
-    points(i, 2) = height * (std::sin(3 * x + 1) * std::cos(4 * y) + 0.5 * std::exp(-8 * ((x - 0.3) * (x - 0.3) + y * y)));
+    points(i, 2) =
+        height * (std::sin(3 * x + 1) * std::cos(4 * y) + 0.5 * std::exp(-8 * ((x - 0.3) * (x - 0.3) + y * y)));
   }
   return TriangleMesh(points, flat.faces());
 }
@@ -103,7 +105,8 @@ inline TriangleMesh roughDisk(int rings, unsigned seed) {
 /// The octahedron subdivided `levels` times onto the unit sphere.
 inline TriangleMesh sphereMesh(int levels) {
   std::vector<Eigen::Vector3d> p{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  std::vector<std::array<int, 3>> f{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  std::vector<std::array<int, 3>> f{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                    {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<int, int>, int> middle;
     const auto mid = [&](int a, int b) {

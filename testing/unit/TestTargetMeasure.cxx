@@ -57,7 +57,8 @@ TEST(TargetMeasure, ClampsFacesWithoutAreaAndCountsThem) {
 TEST(TargetMeasure, RefusesZeroNegativeNaNAndWrongLengthsInWords) {
   const TriangleMesh mesh = gridMesh(2, 2);
   Eigen::VectorXd density = Eigen::VectorXd::Ones(9);
-  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     density[5] = bad;
     try {
       static_cast<void>(TargetMeasure::fromVertexDensity(mesh, density));

@@ -121,7 +121,8 @@ TEST(BarycentricMapFilter, HasTheImageOfCore) {
 
 TEST(BarycentricMapFilter, LeavesItsInputUntouchedAndPassesArrays) {
   const auto input = polyData(bumpyDisk(6));
-  addArray(input->GetPointData(), "Mine", std::vector<double>(static_cast<std::size_t>(input->GetNumberOfPoints()), 7.0));
+  addArray(input->GetPointData(), "Mine",
+           std::vector<double>(static_cast<std::size_t>(input->GetNumberOfPoints()), 7.0));
   addField(input, "Note", std::string("kept"));
   const Points3 before = toPoints(input);
   vtkNew<vtkBarycentricMap> filter;
@@ -144,7 +145,9 @@ TEST(BarycentricMapFilter, MapsToEveryDomain) {
   filter->Update();
   EXPECT_NEAR(filter->GetOutput()->GetBounds()[1], 3.0, 1e-12);
   filter->SetDomainToPolygon();
-  for (const auto& corner : {std::pair{0.0, 0.0}, {4.0, 0.0}, {0.0, 5.0}}) filter->AddPolygonCorner(corner.first, corner.second);
+  for (const auto& corner : {std::pair{0.0, 0.0}, {4.0, 0.0}, {0.0, 5.0}}) {
+    filter->AddPolygonCorner(corner.first, corner.second);
+  }
   filter->Update();
   EXPECT_NEAR(filter->GetOutput()->GetBounds()[3], 5.0, 1e-12);
   EXPECT_EQ(field(filter->GetOutput(), "FlippedFaces"), 0);
@@ -242,8 +245,10 @@ TEST(MapDistortionFilter, MeasuresWhatCoreMeasures) {
   filter->Update();
   const Distortion core = measureDistortion(disk.mesh(), image);
   EXPECT_EQ(field(filter->GetOutput(), "TotalAreaDistortion"), core.summary.areaDistortion);
-  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("AreaDistortion")->GetComponent(5, 0), core.arrays.logAreaRatio[5]);
-  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Beltrami")->GetComponent(5, 1), core.arrays.beltrami[5].imag());
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("AreaDistortion")->GetComponent(5, 0),
+            core.arrays.logAreaRatio[5]);
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Beltrami")->GetComponent(5, 1),
+            core.arrays.beltrami[5].imag());
 }
 
 TEST(MapDistortionFilter, NeedsTheSurfaceOfAMap) {
@@ -292,11 +297,13 @@ TEST(LieFlowFilter, GivesARegionTheShareThatItsDensityAsksFor) {
   filter->SetInputData(input);
   filter->SetMeasureArrayName("Density");
   filter->Update();
-  const TargetMeasure target = TargetMeasure::fromFaceDensity(mesh, Eigen::Map<Eigen::VectorXd>(density.data(), mesh.faceCount()));
+  const TargetMeasure target =
+      TargetMeasure::fromFaceDensity(mesh, Eigen::Map<Eigen::VectorXd>(density.data(), mesh.faceCount()));
   double share = 0, wanted = 0, all = 0;
   const Points2 image = toPlanarPoints(filter->GetOutput());
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    const Eigen::RowVector2d a = image.row(mesh.faces()(f, 0)), b = image.row(mesh.faces()(f, 1)) - a, c = image.row(mesh.faces()(f, 2)) - a;
+    const Eigen::RowVector2d a = image.row(mesh.faces()(f, 0)), b = image.row(mesh.faces()(f, 1)) - a,
+                             c = image.row(mesh.faces()(f, 2)) - a;
     const double area = 0.5 * (b[0] * c[1] - b[1] * c[0]);
     all += area;
     if (density[static_cast<std::size_t>(f)] > 1) {
@@ -322,7 +329,9 @@ TEST(LieFlowFilter, StopsWhenAborted) {
   filter->SetInputData(polyData(bumpyDisk(20)));
   filter->SetTolerance(1e-12);
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  });
   filter->AddObserver(vtkCommand::ProgressEvent, stop);
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::CANCELLED);
@@ -413,7 +422,9 @@ TEST(SampleVolumeFilter, NeedsTheOtherSurfaceToSampleBetween) {
 TEST(LabelsOnSurfaceFilter, FindsTheNearestLabelledVoxel) {
   const auto volume = linearVolume();
   vtkDataArray* values = volume->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) values->SetComponent(i, 0, volume->GetPoint(i)[0] > 0 ? 5 : 0);
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) {
+    values->SetComponent(i, 0, volume->GetPoint(i)[0] > 0 ? 5 : 0);
+  }
   vtkNew<vtkLabelsOnSurface> filter;
   filter->SetInputData(0, polyData(bumpyDisk(4)));
   filter->SetInputData(1, volume);

@@ -118,7 +118,8 @@ TEST_P(SurfaceFormats, GiveBackPointsAndFacesInTheirOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllButStl, SurfaceFormats,
-                         ::testing::Values("s.surf.gii", "s.vtp", "s.vtk", "s.ply", "s.off", "s.obj", "lh.white", "rh.x"));
+                         ::testing::Values("s.surf.gii", "s.vtp", "s.vtk", "s.ply", "s.off", "s.obj", "lh.white",
+                                           "rh.x"));
 
 TEST(SurfaceFileReader, MergesTheCornersOfStl) {
   const TemporaryFolder folder;
@@ -218,7 +219,8 @@ TEST(SurfaceFileReader, RefusesWhatIsNoSurfaceInOneSentence) {
   for (const char* name : {"a.vtp", "a.vtk", "a.ply", "a.stl", "a.off", "a.obj", "a.gii", "lh.white"}) {
     std::ofstream(folder / name) << "this is not a surface\n";
   }
-  for (const char* name : {"a.vtp", "a.vtk", "a.ply", "a.stl", "a.off", "a.obj", "a.gii", "lh.white", "empty.vtp", "."}) {
+  for (const char* name :
+       {"a.vtp", "a.vtk", "a.ply", "a.stl", "a.off", "a.obj", "a.gii", "lh.white", "empty.vtp", "."}) {
     const Outcome outcome = read(folder / name);
     EXPECT_EQ(outcome.kind, vtkSurfaceAlgorithm::FORMAT) << name;
     EXPECT_EQ(outcome.code, static_cast<unsigned long>(vtkErrorCode::FileFormatError)) << name;
@@ -231,8 +233,10 @@ TEST(SurfaceFileReader, RefusesWhatIsNoSurfaceInOneSentence) {
 
 TEST(SurfaceFileReader, RefusesCountsThatTheFileCannotHold) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "a.ply") << "ply\nformat ascii 1.0\nelement vertex 900000000\nproperty float x\nend_header\n0\n";
-  std::ofstream(folder / "a.vtk") << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 900000000 float\n0\n";
+  std::ofstream(folder / "a.ply")
+      << "ply\nformat ascii 1.0\nelement vertex 900000000\nproperty float x\nend_header\n0\n";
+  std::ofstream(folder / "a.vtk")
+      << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 900000000 float\n0\n";
   std::ofstream(folder / "b.vtk") << "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                                      "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 77\n";
   std::ofstream(folder / "a.stl") << std::string(80, ' ') << "\xFF\xFF\xFF\x7F";
@@ -264,8 +268,9 @@ TEST(SurfaceFileReader, SurvivesTruncatedAndAlteredFilesOfVtksFormats) {
 }
 
 TEST(SurfaceFileReader, ReadsTheLegacyFilesOfOthers) {
-  for (const char* name : {"colon/EdinGCA_3D_00020_CTC_inflated/large-intestine-SF-SF+.vtk",
-                           "colon/HuBMAPVHM_3D_00070/large-intestine-Sigmoid.vtk", "meshes/multi_boundary/fran_cut.vtk"}) {
+  for (const char* name :
+       {"colon/EdinGCA_3D_00020_CTC_inflated/large-intestine-SF-SF+.vtk",
+        "colon/HuBMAPVHM_3D_00070/large-intestine-Sigmoid.vtk", "meshes/multi_boundary/fran_cut.vtk"}) {
     AUTHALIC_NEEDS(sharedData(name));
     const Outcome outcome = read(sharedData(name));
     EXPECT_EQ(outcome.kind, 0) << outcome.words;

@@ -17,12 +17,14 @@ namespace authalic {
 ///
 ///     w_ij ← w_ij (r_i r_j)^¼ (r_s r_t)^¼
 ///
-/// from w_ij = 1, and solves Σ_j w_ij (x_j − x_i) = 0: edges that are too long are stiffened, as in @cite yoshizawa2004.
-/// The stars even out areas at large; the faces reach into nested three-cycles, whose stars see the large faces
-/// around them. Along a tube the exponent of the shrinking falls from 1 to about 1/√(2k) after k rounds.
+/// from w_ij = 1, and solves Σ_j w_ij (x_j − x_i) = 0: edges that are too long are stiffened, as in
+/// @cite yoshizawa2004. The stars even out areas at large; the faces reach into nested three-cycles, whose stars see
+/// the large faces around them. Along a tube the exponent of the shrinking falls from 1 to about 1/√(2k) after k
+/// rounds.
 ///
 /// Weights stay positive and symmetric, so no face flips on a convex domain, up to rounding. The round with the
-/// smallest area distortion Σ m_t (r_t + 1/r_t) among those without a fold is returned (or `image`, where none is better).
+/// smallest area distortion Σ m_t (r_t + 1/r_t) among those without a fold is returned (or `image`, where none
+/// is better).
 /// @param goodEnough  mean |ln r| of the stars at which the rounds end
 /// Complexity: one symbolic and at most 15 numeric sparse factorisations.
 [[nodiscard]] Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,

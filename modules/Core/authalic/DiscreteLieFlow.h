@@ -29,7 +29,8 @@ struct DiscreteLieFlowOptions {
   double stepRatio = 0.6;     ///< μ of the adaptive step, in (0, 1)
   double fixedStep = 0;       ///< > 0: this step instead of the adaptive one (may collapse the mesh)
   LieFlowFinish finish = LieFlowFinish::Match;
-  int maxFinishIterations = 40;  ///< least-squares steps of one pass, ≥ 0; further passes (3 at most) where faces had collapsed
+  int maxFinishIterations = 40;  ///< least-squares steps of one pass, ≥ 0; further passes (3 at most) where faces had
+                                 ///< collapsed
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -78,8 +79,9 @@ struct DiscreteLieFlowResult {
 /// so that the areas that are reported are those of the mesh that the user has.
 ///
 /// Where the initial map is so far off that its smallest triangles would pin the flow (some vertex star has less than
-/// e⁻⁸ or more than e⁸ of its share), and finish is Match, a reweighted barycentric map with the same boundary takes its
-/// place and the flow is left out (`balancedStart`, 0 iterations): what is left to do are the least-squares Lie steps.
+/// e⁻⁸ or more than e⁸ of its share), and finish is Match, a reweighted barycentric map with the same boundary takes
+/// its place and the flow is left out (`balancedStart`, 0 iterations): what is left to do are the least-squares Lie
+/// steps.
 ///
 /// @param initial  n×2, a map to the same domain, boundary on its boundary (any barycentric map); folds in it are
 ///                 unfolded first

@@ -1,5 +1,5 @@
 /// @file
-/// A planar triangulation whose edges flip while its vertices flow.
+/// A planar triangulation whose edges flip while its vertices flow. Private to authalic/.
 #pragma once
 
 #include <vector>

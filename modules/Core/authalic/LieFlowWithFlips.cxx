@@ -90,7 +90,8 @@ void relaxPinned(const Points2& points, const Faces& faces, const SlidingBoundar
 }
 
 // Whether the last steps have not paid: neither measure of the error fell by the share it should over the last few.
-bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now, const DiscreteLieFlowOptions& options) {
+bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now,
+          const DiscreteLieFlowOptions& options) {
   const bool handsOver = options.finish == LieFlowFinish::Match;
   const std::size_t window = handsOver ? 5 : 30;
   if (history.size() < window || options.fixedStep > 0 || (handsOver && now.meanAbsLog > kFarFromTarget)) return false;
@@ -148,7 +149,8 @@ void flowWithFlips(const DiskMesh& disk, const BoundaryPlacement& placement, con
     now.step = options.fixedStep > 0 ? options.fixedStep : std::min(1.0, options.stepRatio * limit);
     Points2 moved = result.image + now.step * velocity;
     sliding.retract(moved);
-    for (int halving = 0; options.fixedStep <= 0 && halving < 30 && countFlippedFaces(moved, mesh.faces()) > 0; ++halving) {
+    for (int halving = 0; options.fixedStep <= 0 && halving < 30 && countFlippedFaces(moved, mesh.faces()) > 0;
+         ++halving) {
       now.step *= 0.5;
       moved = result.image + now.step * velocity;
       sliding.retract(moved);

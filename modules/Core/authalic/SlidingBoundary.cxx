@@ -16,7 +16,9 @@ SlidingBoundary::SlidingBoundary(const BoundaryPlacement& placement, const Plana
     const int v = placement.vertices[i], k = placement.side[i];
     switch (placement.role[i]) {
       case BoundaryRole::Corner: freedom_[at(v)] = 0; fixed_.push_back(v); break;
-      case BoundaryRole::Side: along_[at(v)] = (corner.row((k + 1) % corner.rows()) - corner.row(k)).normalized(); [[fallthrough]];
+      case BoundaryRole::Side:
+        along_[at(v)] = (corner.row((k + 1) % corner.rows()) - corner.row(k)).normalized();
+        [[fallthrough]];
       case BoundaryRole::Circle: freedom_[at(v)] = 1; sliders_.push_back(v); break;
       case BoundaryRole::Pocket: break;
     }
@@ -30,7 +32,8 @@ void SlidingBoundary::attachPockets(const BoundaryPlacement& placement, const Po
     const auto [from, to] = placement.pockets[at(placement.pocketOf[at(v)])];
     const Eigen::RowVector2d chord = image.row(to) - image.row(from), offset = image.row(v) - image.row(from);
     const double square = chord.squaredNorm();
-    riders_.push_back({v, from, to, offset.dot(chord) / square, (chord[0] * offset[1] - chord[1] * offset[0]) / square});
+    riders_.push_back(
+        {v, from, to, offset.dot(chord) / square, (chord[0] * offset[1] - chord[1] * offset[0]) / square});
   }
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// How the boundary of a planar domain lets its vertices move.
+/// How the boundary of a planar domain lets its vertices move. Private to authalic/.
 #pragma once
 
 #include <vector>

@@ -20,14 +20,16 @@ struct SphericalAuthalicMapResult {
 
 /// Maps a genus-0 surface to the unit sphere so that every vertex star has its target solid angle, as authalicMap().
 ///
-/// Areas are solid angles, which tile the sphere exactly; every vertex moves along its tangent plane. The start is made of two
-/// disks on two caps (see twoCapsStart in authalic/), or is `initial`. The rotation is the one that brings the image closest
-/// to the surface (SphereRotation::Surface).
+/// Areas are solid angles, which tile the sphere exactly; every vertex moves along its tangent plane. The start is
+/// made of two disks on two caps (see twoCapsStart in authalic/), or is `initial`. The rotation is the one that
+/// brings the image closest to the surface (SphereRotation::Surface).
 ///
 /// @param initial  n×3 on the unit sphere, or empty. One whose areas are far from their targets (a conformal map of a
 ///                 cortex) only decides where the two disks meet.
-/// Guarantees and failures as authalicMap(); the start of a surface that folds on the sphere beyond repair is refused.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or no start without
+/// Guarantees and failures as authalicMap(); the start of a surface that folds on the sphere beyond repair is
+/// refused.
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or no
+/// start without
 ///         a fold was found; SolverError when a system cannot be factorised
 /// @cite zou2011 @cite su2019
 [[nodiscard]] SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const TargetMeasure& target,

@@ -72,8 +72,8 @@ Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double 
   Eigen::VectorXd density = Eigen::VectorXd::Ones(count);
   for (const int index : region) {
     if (index < 0 || index >= count) {
-      throw InvalidArgument("Indices from 0 to " + std::to_string(count - 1) + " are required in a region, but it has " +
-                            std::to_string(index) + ".");
+      throw InvalidArgument("Indices from 0 to " + std::to_string(count - 1) +
+                            " are required in a region, but it has " + std::to_string(index) + ".");
     }
     density[index] = factor;
   }

@@ -129,7 +129,8 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   return half;
 }
 
-// Lambert's projection of the unit disk to the cap about the north (sign 1) or south pole that holds `share` of the sphere.
+// Lambert's projection of the unit disk to the cap about the north (sign 1) or south pole that holds `share` of the
+// sphere.
 void projectToCap(const Half& half, double sign, Points3& image) {
   for (std::size_t i = 0; i < half.vertices.size(); ++i) {
     const Eigen::RowVector2d p = half.image.row(static_cast<Eigen::Index>(i));

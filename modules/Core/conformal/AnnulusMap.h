@@ -49,16 +49,17 @@ struct AnnulusMapResult {
 
 /// Maps an annulus conformally.
 ///
-/// The flow makes it flat with straight loops (K̄ = 0 everywhere): a cylinder. It is cut along a shortest path between its
-/// loops and developed: a strip that closes by a translation, because K = 0 leaves no rotation. Scaled to circumference 2π
-/// with coordinates ξ ≤ 0 (height) and θ, the ring is e^{ξ + iθ}, the rectangle (θ, −ξ)/2π. Both are oriented like the
-/// surface. The modulus is a conformal invariant of the surface.
+/// The flow makes it flat with straight loops (K̄ = 0 everywhere): a cylinder. It is cut along a shortest path
+/// between its loops and developed: a strip that closes by a translation, because K = 0 leaves no rotation. Scaled
+/// to circumference 2π with coordinates ξ ≤ 0 (height) and θ, the ring is e^{ξ + iθ}, the rectangle (θ, −ξ)/2π.
+/// Both are oriented like the surface. The modulus is a conformal invariant of the surface.
 ///
 /// The rectangle's sides follow the edges of the cut; they are alike but for a shift by 1.
-/// Guarantees: loops on their circles and lines to 1e-15, but for vertices of pockets. Ears of the surface (triangles with
-/// two boundary edges) and larger pockets have no area on a straight line and are folded in a hole: there they are bulged
-/// out and counted (pockets, rectanglePockets). Not guaranteed: no folded face (→ flippedFaces, flippedRectangleFaces).
-/// Complexity: that of the flow. When cancelled, the image is empty and the status says so.
+/// Guarantees: loops on their circles and lines to 1e-15, but for vertices of pockets. Ears of the surface
+/// (triangles with two boundary edges) and larger pockets have no area on a straight line and are folded in a hole:
+/// there they are bulged out and counted (pockets, rectanglePockets). Not guaranteed: no folded face (→
+/// flippedFaces, flippedRectangleFaces). Complexity: that of the flow. When cancelled, the image is empty and the
+/// status says so.
 /// @cite nadeem2017 @cite springborn2008
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
 [[nodiscard]] AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options = {},

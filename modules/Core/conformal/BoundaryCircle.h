@@ -17,16 +17,17 @@ struct InscribedPolygon {
 };
 
 /// Σ asin(l_e / 2R) = π solved for R; where one side is so long that the centre lies outside, its half arc is
-/// π − asin(l/2R). Where no polygon has such sides (one is longer than the rest together) arcs are in proportion to the
-/// sides. O(k) per step of a bisection to the last bit.
+/// π − asin(l/2R). Where no polygon has such sides (one is longer than the rest together) arcs are in proportion to
+/// the sides. O(k) per step of a bisection to the last bit.
 /// @param sides  k ≥ 3 positive lengths
 [[nodiscard]] InscribedPolygon inscribe(const Eigen::VectorXd& sides);
 
 /// A boundary loop that is to become a circle: as the outer loop of the flat domain or as a hole in it.
 ///
-/// A vertex of an inscribed polygon turns by half the sum of the arcs beside it, K̄_i = ±(α_(i−) + α_(i+)) with half arcs
-/// α; for short sides that is the rule "in proportion to the length of the edges" @cite su2016. The rule is exact:
-/// where the flow converges the vertices lie on a circle. It depends on u through the sides l e^{(u_i + u_j)/2}:
+/// A vertex of an inscribed polygon turns by half the sum of the arcs beside it, K̄_i = ±(α_(i−) + α_(i+)) with
+/// half arcs α; for short sides that is the rule "in proportion to the length of the edges" @cite su2016. The rule
+/// is exact: where the flow converges the vertices lie on a circle. It depends on u through the sides l e^{(u_i +
+/// u_j)/2}:
 ///   dα_e = tan α_e (dln l_e − dln R),
 /// a symmetric matrix D, positive semi-definite while the centre lies inside.
 class BoundaryCircle {

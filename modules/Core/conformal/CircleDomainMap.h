@@ -52,17 +52,18 @@ struct CircleDomainResult {
 
 /// Maps a surface of genus 0 with k ≥ 1 loops conformally onto the unit disk minus k − 1 round disks.
 ///
-/// **Curvature.** K̄ = 0 inside; on the outer loop a turn of +2π, on every other −2π, shared out like the arcs of a polygon
-/// inscribed in a circle, which depend on the metric that is sought (BoundaryCircle). Instead of one flow after the other with
-/// K̄ in proportion to the edges of the last, the dependence enters Newton's method: one flow, quadratic convergence,
-/// loops on circles to rounding. What is left free is a Möbius transformation of the disk.
-/// **Koebe.** Loop by loop: turn the domain inside out around it, fill all other holes with fans, take the Riemann map.
-/// Linear convergence, many flows: an independent check, not the way to work.
+/// **Curvature.** K̄ = 0 inside; on the outer loop a turn of +2π, on every other −2π, shared out like the arcs of a
+/// polygon inscribed in a circle, which depend on the metric that is sought (BoundaryCircle). Instead of one flow
+/// after the other with K̄ in proportion to the edges of the last, the dependence enters Newton's method: one flow,
+/// quadratic convergence, loops on circles to rounding. What is left free is a Möbius transformation of the disk.
+/// **Koebe.** Loop by loop: turn the domain inside out around it, fill all other holes with fans, take the Riemann
+/// map. Linear convergence, many flows: an independent check, not the way to work.
 ///
-/// Guarantees: vertices of loops on their circles to 1e-14, but for those of pockets: an ear of the surface (a triangle with
-/// two boundary edges) on an inner circle would lie in the hole and is bulged into it (`pockets`). Not guaranteed: no folded face (→ flippedFaces); that loops of
-/// few vertices stay apart (chords, not arcs, bound the mesh).
-/// Complexity: that of the flow; Koebe: k flows per round. When cancelled, the image is empty and the status says so.
+/// Guarantees: vertices of loops on their circles to 1e-14, but for those of pockets: an ear of the surface (a
+/// triangle with two boundary edges) on an inner circle would lie in the hole and is bulged into it (`pockets`).
+/// Not guaranteed: no folded face (→ flippedFaces); that loops of few vertices stay apart (chords, not arcs, bound
+/// the mesh). Complexity: that of the flow; Koebe: k flows per round. When cancelled, the image is empty and the
+/// status says so.
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
 [[nodiscard]] CircleDomainResult circleDomainMap(const PolyAnnulusMesh& surface, const CircleDomainOptions& options = {},
                                                  const Execution& execution = {});

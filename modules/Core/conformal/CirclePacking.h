@@ -9,12 +9,13 @@
 
 namespace authalic {
 
-/// l_ij² = γ_i² + γ_j² + 2 I_ij γ_i γ_j with radii γ = e^u and inversive distances I that stay @cite bowers2004 @cite su2016.
+/// l_ij² = γ_i² + γ_j² + 2 I_ij γ_i γ_j with radii γ = e^u and inversive distances I that stay @cite bowers2004
+/// @cite su2016.
 ///
-/// I follows from the lengths and the first radii: the cosine of the angle of the circles where they meet, above 1 where they
-/// do not. w_h = (distance of the face's power centre from the edge) / l_ij, signed.
-/// Edges are flipped by the Euclidean rule to the power-Delaunay triangulation wherever the flow settles, so that w ≥ 0;
-/// between, triangles may degenerate.
+/// I follows from the lengths and the first radii: the cosine of the angle of the circles where they meet, above 1
+/// where they do not. w_h = (distance of the face's power centre from the edge) / l_ij, signed.
+/// Edges are flipped by the Euclidean rule to the power-Delaunay triangulation wherever the flow settles, so that w
+/// ≥ 0; between, triangles may degenerate.
 class CirclePacking final : public MovingMetric {
  public:
   CirclePacking(IntrinsicTriangulation triangulation, PackingRadii radii, SolverBackend backend,

@@ -6,7 +6,8 @@
 
 namespace authalic {
 
-/// Fills image (outer loop outermost, not normalised), status, rounds, iterations, residual, holonomy and edgeFlips of the result.
+/// Fills image (outer loop outermost, not normalised), status, rounds, iterations, residual, holonomy and edgeFlips
+/// of the result.
 void koebeIteration(const PolyAnnulusMesh& surface, const CircleDomainOptions& options, const Execution& execution,
                     CircleDomainResult& result);
 

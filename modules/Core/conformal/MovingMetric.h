@@ -14,10 +14,11 @@
 
 namespace authalic {
 
-/// A triangulation whose lengths move with u, with the factorised derivative L = ∂K/∂u of where it was last asked for.
+/// A triangulation whose lengths move with u, with the factorised derivative L = ∂K/∂u of where it was last asked
+/// for.
 ///
-/// The lengths at u are those of triangulation().logLength(h, u). A rule of change (vertex scaling, circle packing) says
-/// how to get there and what each half-edge weighs: L_ij = −(w_h + w_opposite(h)).
+/// The lengths at u are those of triangulation().logLength(h, u). A rule of change (vertex scaling, circle packing)
+/// says how to get there and what each half-edge weighs: L_ij = −(w_h + w_opposite(h)).
 class MovingMetric {
  public:
   MovingMetric(IntrinsicTriangulation triangulation, SolverBackend backend, const Execution& execution);

@@ -43,16 +43,16 @@ struct RiemannMapResult {
 /// Maps a disk conformally onto the unit disk.
 ///
 /// **Boundary.** Curvature 0 inside, that of a polygon inscribed in a circle on the boundary (YamabeFlow with one
-/// BoundaryCircle); the flat metric is developed into the plane, its boundary lies on a circle, which becomes the unit
-/// circle. **Puncture.** Without one face the disk is an annulus; with K̄ = 0 inside and on both loops it becomes a cylinder of
-/// circumference 2π; e^{height + i angle} closes it, and the face comes back. The exponential is conformal, but edges
-/// near the puncture are long, so that a few faces there are less conformal.
+/// BoundaryCircle); the flat metric is developed into the plane, its boundary lies on a circle, which becomes the
+/// unit circle. **Puncture.** Without one face the disk is an annulus; with K̄ = 0 inside and on both loops it
+/// becomes a cylinder of circumference 2π; e^{height + i angle} closes it, and the face comes back. The exponential
+/// is conformal, but edges near the puncture are long, so that a few faces there are less conformal.
 /// Then the normalisation, a Möbius transformation.
 ///
 /// Guarantees: the boundary on the circle in order; the same bits at any thread count.
-/// Not guaranteed: no folded face (→ flippedFaces). The map is one-to-one on the flow's own Delaunay triangulation; faces
-/// of the input with very obtuse angles, whose edges were flipped away, may fold. Unfolding moves a few vertices around
-/// them; what it cannot undo within 32 rings stays and is counted.
+/// Not guaranteed: no folded face (→ flippedFaces). The map is one-to-one on the flow's own Delaunay triangulation;
+/// faces of the input with very obtuse angles, whose edges were flipped away, may fold. Unfolding moves a few
+/// vertices around them; what it cannot undo within 32 rings stays and is counted.
 /// Complexity: that of the flow. When cancelled, the image is empty and the status says so.
 /// @cite springborn2008 @cite nadeem2017
 /// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError

@@ -109,8 +109,8 @@ Eigen::VectorXd Flow::multiply(const Eigen::VectorXd& v, bool withOuter) const {
   return product;
 }
 
-// L δ = r, or conjugate gradients with L as preconditioner where K̄ depends on u. The derivatives of circles move only
-// the lowest few modes of each loop: a handful of steps. Negative curvature ends it.
+// L δ = r, or conjugate gradients with L as preconditioner where K̄ depends on u. The derivatives of circles move
+// only the lowest few modes of each loop: a handful of steps. Negative curvature ends it.
 Eigen::VectorXd Flow::direction(bool withOuter) const {
   Eigen::VectorXd first = metric_->solve(residual_);
   first.array() -= first.mean();  // u keeps its sum of 0
@@ -148,8 +148,8 @@ double Flow::takeRecordStep(const Eigen::VectorXd& delta) {
   return 1;
 }
 
-// Shorten the step until the energy still falls at its end: −δ·(K̄ − K) ≤ 0. With outer circles frozen the energy is a
-// convex bound of the true one that touches it at u.
+// Shorten the step until the energy still falls at its end: −δ·(K̄ − K) ≤ 0. With outer circles frozen the energy
+// is a convex bound of the true one that touches it at u.
 double Flow::takeDescentStep(const Eigen::VectorXd& delta, double before) {
   double step = longestStep(delta);
   hindered_ = 0;

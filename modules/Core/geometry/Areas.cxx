@@ -32,7 +32,8 @@ Eigen::VectorXd vertexStars(const Eigen::VectorXd& faceMeasures, const Faces& fa
 }
 
 int countFlippedFaces(const Points2& points, const Faces& faces) {
-  return static_cast<int>((signedFaceAreas(points, faces).array() > 0).select(0, Eigen::ArrayXi::Ones(faces.rows())).sum());
+  return static_cast<int>(
+      (signedFaceAreas(points, faces).array() > 0).select(0, Eigen::ArrayXi::Ones(faces.rows())).sum());
 }
 
 double polygonArea(const Points2& polygon) {

@@ -8,7 +8,8 @@
 namespace authalic {
 namespace {
 
-/// A half-edge whose face can be laid out next: where its ends are, and in which copy of the universal cover its tail is.
+/// A half-edge whose face can be laid out next: where its ends are, and in which copy of the universal cover its
+/// tail is.
 struct Front {
   double logLength;
   int halfEdge;

@@ -13,8 +13,8 @@ namespace authalic {
 struct Development {
   Points2 points;                         ///< n×2, one place per vertex
   Eigen::RowVector2d period{0, 0};        ///< T: what a path of winding number 1 adds
-  /// max | |z_j + w_ij T − z_i| − l_ij | / (longest edge): 0 but for rounding and for the curvature that is left. Where it
-  /// is small the holonomy of every loop is the translation by T times its winding.
+  /// max | |z_j + w_ij T − z_i| − l_ij | / (longest edge): 0 but for rounding and for the curvature that is left.
+  /// Where it is small the holonomy of every loop is the translation by T times its winding.
   double holonomy = 0;
 };
 

@@ -33,11 +33,12 @@ enum class FlipRule {
 /// Half-edges with the natural logarithms λ of their lengths. Edges may join a vertex to itself and several edges may
 /// join the same two vertices (a Δ-complex): no face list can say that, half-edges can.
 ///
-/// Half-edge h runs from tail(h) to head(h) on the boundary of one face; next(next(next(h))) = h. Ids of half-edges and
-/// faces survive flips; at the start half-edge 3 f + k runs from corner k to corner k+1 of face f, as in SurfaceTopology.
+/// Half-edge h runs from tail(h) to head(h) on the boundary of one face; next(next(next(h))) = h. Ids of half-edges
+/// and faces survive flips; at the start half-edge 3 f + k runs from corner k to corner k+1 of face f, as in
+/// SurfaceTopology.
 ///
-/// **Scaling.** A vertex function u scales to λ_ij + (u_i + u_j)/2: the discrete conformal change of @cite luo2004. The
-/// stored λ are those of u = 0; every question about shape takes u. Ptolemy's rule commutes with scaling, so a
+/// **Scaling.** A vertex function u scales to λ_ij + (u_i + u_j)/2: the discrete conformal change of @cite luo2004.
+/// The stored λ are those of u = 0; every question about shape takes u. Ptolemy's rule commutes with scaling, so a
 /// triangulation that was flipped at one u is as good at any other, and the discrete conformal class never changes.
 class IntrinsicTriangulation {
  public:
@@ -46,7 +47,8 @@ class IntrinsicTriangulation {
   /// @throws GeometryError naming the first edge without length
   IntrinsicTriangulation(const TriangleMesh& surface, const SurfaceTopology& topology);
   /// Given edge lengths; the two entries of an inner edge must be equal. No triangle inequality is asked for.
-  /// @throws GeometryError naming the first edge whose length is not positive, not finite, or differs between its faces
+  /// @throws GeometryError naming the first edge whose length is not positive, not finite, or differs between its
+  /// faces
   IntrinsicTriangulation(const SurfaceTopology& topology, const FaceLengths& lengths);
 
   [[nodiscard]] int vertexCount() const noexcept { return vertexCount_; }
@@ -79,14 +81,14 @@ class IntrinsicTriangulation {
   [[nodiscard]] FaceShape shape(int face, const Eigen::VectorXd& u) const;
   /// The cosine opposite to h as a rational function of the lengths, also where no triangle has such sides.
   [[nodiscard]] double oppositeCosine(int h, const Eigen::VectorXd& u) const;
-  /// Whether the edge is on the boundary or cot α + cot β ≥ 0, but for rounding, for the angles opposite to it; where a face
-  /// is no triangle, cos α + cos β ≥ 0 for the rational cosines.
+  /// Whether the edge is on the boundary or cot α + cot β ≥ 0, but for rounding, for the angles opposite to it;
+  /// where a face is no triangle, cos α + cos β ≥ 0 for the rational cosines.
   [[nodiscard]] bool isDelaunay(int h, const Eigen::VectorXd& u) const;
   /// Whether flip(h) makes sense: an inner edge with two different faces.
   [[nodiscard]] bool flippable(int h) const;
 
-  /// Replace the diagonal ij of a pair of triangles by the other, kl. With the Euclidean rule the length is measured at
-  /// u and brought back to u = 0. Afterwards h runs from l to k. Needs flippable(h).
+  /// Replace the diagonal ij of a pair of triangles by the other, kl. With the Euclidean rule the length is
+  /// measured at u and brought back to u = 0. Afterwards h runs from l to k. Needs flippable(h).
   void flip(int h, const Eigen::VectorXd& u, FlipRule rule = FlipRule::Ptolemy);
 
   /// Flip inner edges until all are Delaunay at u. Without boundary every face then is a triangle, whatever λ and u
@@ -95,14 +97,14 @@ class IntrinsicTriangulation {
   /// @throws SolverError when flips do not end (lengths beyond the range of double)
   int makeDelaunay(const Eigen::VectorXd& u, FlipRule rule = FlipRule::Ptolemy, const Execution& execution = {});
 
-  /// Split the boundary edge of h at the foot of its face's altitude at u, so that both parts see acute angles. The metric
-  /// at u does not change; the new vertex is the last one, its u is to be (u_i + u_j)/2. Afterwards h ends at it.
-  /// Needs a boundary edge whose face is a triangle at u with acute angles at both ends of the edge.
+  /// Split the boundary edge of h at the foot of its face's altitude at u, so that both parts see acute angles. The
+  /// metric at u does not change; the new vertex is the last one, its u is to be (u_i + u_j)/2. Afterwards h ends
+  /// at it. Needs a boundary edge whose face is a triangle at u with acute angles at both ends of the edge.
   /// @return the new vertex
   int splitBoundaryEdge(int h, const Eigen::VectorXd& u);
 
-  /// Attach an integer to every half-edge with w_(opposite) = −w and Σ w = 0 around each face (a closed 1-form: how often
-  /// a path along the edge winds around a hole). Flips carry it along.
+  /// Attach an integer to every half-edge with w_(opposite) = −w and Σ w = 0 around each face (a closed 1-form: how
+  /// often a path along the edge winds around a hole). Flips carry it along.
   /// @throws InvalidArgument when the numbers are not such a form
   void attachWinding(std::vector<int> winding);
   /// The attached integer, 0 when there is none.

@@ -1,5 +1,5 @@
 /// @file
-/// A priority queue of voxels for small integer priorities.
+/// A priority queue of voxels for small integer priorities. Private to imaging/.
 #pragma once
 
 #include <algorithm>

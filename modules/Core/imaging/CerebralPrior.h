@@ -1,5 +1,6 @@
 /// @file
 /// Where deep structures, the hindbrain and the cerebrum lie for certain, in the coordinates of BrainFrame.
+/// Private to imaging/.
 ///
 /// Used where labels are missing or do not name a structure (the AAL atlas names neither ventricles nor
 /// brainstem). The regions are simple solids measured on an average brain: prisms and ellipsoids with 3–5 mm

@@ -82,6 +82,7 @@ std::vector<Piece> connectedPieces(const Piece& triangles) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     byRoot[find(static_cast<int>(t))].push_back(triangles[t]);
   std::vector<Piece> pieces;
+  pieces.reserve(byRoot.size());
   for (auto& entry : byRoot) pieces.push_back(std::move(entry.second));
   return pieces;
 }

@@ -243,7 +243,9 @@ BoundaryPlacement recogniseBoundary(const DiskMesh& disk, const PlanarDomain& do
     placement.points = rowsOf(image, placement.vertices);
     for (Eigen::Index i = 0; i < placement.points.rows(); ++i) {
       const double radius = placement.points.row(i).norm();
-      if (std::abs(radius - 1) > tolerance) notOnBoundary(placement.vertices[at(static_cast<int>(i))], placement.points.row(i));
+      if (std::abs(radius - 1) > tolerance) {
+        notOnBoundary(placement.vertices[at(static_cast<int>(i))], placement.points.row(i));
+      }
       placement.points.row(i) /= radius;
     }
   } else {

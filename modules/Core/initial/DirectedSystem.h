@@ -1,5 +1,6 @@
 /// @file
 /// Weighted means with different weights each way: the unsymmetric system and its nearly symmetric scaling.
+/// Private to initial/.
 #pragma once
 
 #include "Core/geometry/Laplacian.h"
@@ -8,9 +9,10 @@
 namespace authalic {
 
 /// D A, where (A x)_i = Σ_j w_ij (x_i − x_j) and D is a positive diagonal that leaves the solution of A x = b alone
-/// and makes the scaled weights d_i w_ij as symmetric as it can: d minimises Σ √(w_ij w_ji) (ln d_i w_ij − ln d_j w_ji)²,
-/// to the accuracy of twenty conjugate-gradient steps. Mean-value weights @cite floater2003 come close to symmetry that way, so
-/// that the symmetric part, a weighted graph Laplacian, is a good preconditioner.
+/// and makes the scaled weights d_i w_ij as symmetric as it can: d minimises
+///   Σ √(w_ij w_ji) (ln d_i w_ij − ln d_j w_ji)²,
+/// to the accuracy of twenty conjugate-gradient steps. Mean-value weights @cite floater2003 come close to symmetry that
+/// way, so that the symmetric part, a weighted graph Laplacian, is a good preconditioner.
 class DirectedSystem {
  public:
   /// @param weights   per half-edge, seen from tail and head

@@ -12,8 +12,8 @@ namespace authalic {
 
 /// The faces of a surface as elements of Σ_t ρ_t (‖J‖² + ‖J⁻¹‖²).
 ///
-/// The shape of a face is clamped to a height of 1e-6 of its longest side, its share ρ_t to 1e-12, so that a degenerate face
-/// keeps its image from folding without weighing on the map.
+/// The shape of a face is clamped to a height of 1e-6 of its longest side, its share ρ_t to 1e-12, so that a
+/// degenerate face keeps its image from folding without weighing on the map.
 class IsometricElements {
  public:
   /// @param scale  of the surface: E compares the image with the surface times this

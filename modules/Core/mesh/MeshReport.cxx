@@ -26,6 +26,7 @@ FaceShape faceShape(const TriangleMesh& mesh, int face) {
 
 std::vector<MeshDefect> edgeDefects(const TriangleMesh& mesh, const std::vector<std::array<int, 2>>& edges) {
   std::vector<MeshDefect> defects;
+  defects.reserve(edges.size());
   for (const auto& edge : edges) {
     defects.push_back({{edge[0], edge[1]}, 0.5 * (mesh.point(edge[0]) + mesh.point(edge[1]))});
   }
@@ -34,6 +35,7 @@ std::vector<MeshDefect> edgeDefects(const TriangleMesh& mesh, const std::vector<
 
 std::vector<MeshDefect> vertexDefects(const TriangleMesh& mesh, const std::vector<int>& vertices) {
   std::vector<MeshDefect> defects;
+  defects.reserve(vertices.size());
   for (const int vertex : vertices) defects.push_back({{vertex}, mesh.point(vertex)});
   return defects;
 }

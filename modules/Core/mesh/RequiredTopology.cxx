@@ -32,7 +32,8 @@ std::string obstacle(const MeshReport& report, const RequiredTopology& required)
     return first(report.nonManifoldVertices, "a vertex where the surface touches itself", "repair the surface first");
   }
   if (report.components.size() != 1) {
-    return "a second component centred at " + at(report.components[1].place) + "; keep the largest one ('authalic cut')";
+    return "a second component centred at " + at(report.components[1].place) +
+           "; keep the largest one ('authalic cut')";
   }
   if (!report.isolatedVertices.empty()) {
     return first(report.isolatedVertices, "a vertex that no face uses", "drop such vertices ('authalic cut')");

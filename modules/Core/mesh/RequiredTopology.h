@@ -9,7 +9,8 @@
 
 namespace authalic {
 
-/// A connected, oriented, manifold surface of genus 0 without isolated vertices, and how many boundary loops it may have.
+/// A connected, oriented, manifold surface of genus 0 without isolated vertices, and how many boundary loops it may
+/// have.
 struct RequiredTopology {
   const char* words;  ///< "A topological disk is required (1 component, genus 0, 1 boundary loop)"
   std::size_t fewestLoops, mostLoops;

@@ -14,7 +14,8 @@ struct FittedCircle {
   double deviation = 0;  ///< max | |p − centre| − radius | / radius
 };
 
-/// Least-squares circle |p|² = 2 c·p + d of the rows `vertices` of `points` @cite kasa1976: exact for points on a circle.
+/// Least-squares circle |p|² = 2 c·p + d of the rows `vertices` of `points` @cite kasa1976: exact for points on a
+/// circle.
 /// @throws GeometryError when there are fewer than three points or they lie on a line
 [[nodiscard]] FittedCircle fitCircle(const Points2& points, const std::vector<int>& vertices);
 

@@ -65,9 +65,10 @@ struct DiskCentring {
 
 /// The automorphism φ of the unit disk, unique up to rotation, with Σ m_i φ(z_i) = 0.
 ///
-/// φ = diskToOrigin(w) where w minimises Σ m_i ln(|1 − w̄ z_i|² / (1 − |w|²)), which is strictly convex along hyperbolic
-/// geodesics (on the circle: the conformal barycentre of @cite douady1986). Newton's method from wherever the last step
-/// went to 0: w − S w̄ = c with c, S the mass means of z and z², halved until the energy falls.
+/// φ = diskToOrigin(w) where w minimises Σ m_i ln(|1 − w̄ z_i|² / (1 − |w|²)), which is strictly convex along
+/// hyperbolic geodesics (on the circle: the conformal barycentre of @cite douady1986). Newton's method from
+/// wherever the last step went to 0: w − S w̄ = c with c, S the mass means of z and z², halved until the energy
+/// falls.
 ///
 /// @param points  n×2 in the closed unit disk
 /// @param masses  n masses ≥ 0 with a positive sum; no point of the circle may hold half of it

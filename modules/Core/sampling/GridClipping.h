@@ -1,5 +1,5 @@
 /// @file
-/// One face cut by the lines of a grid, in barycentric coordinates.
+/// One face cut by the lines of a grid, in barycentric coordinates. Private to sampling/.
 #pragma once
 
 #include <array>

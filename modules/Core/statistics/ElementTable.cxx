@@ -93,6 +93,7 @@ std::vector<FieldStatistics> statisticsOf(const std::vector<SurfaceField>& field
 
 std::vector<SurfaceField> withoutValues(const std::vector<SurfaceField>& fields) {
   std::vector<SurfaceField> result;
+  result.reserve(fields.size());
   for (const SurfaceField& field : fields)
     result.push_back({field.name, {}, {}, field.units, field.description});
   return result;

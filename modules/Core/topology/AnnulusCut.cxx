@@ -10,7 +10,8 @@
 namespace authalic {
 namespace {
 
-// First half-edge that leaves each vertex, the boundary's one where there is one: turning from it sweeps the whole fan.
+// First half-edge that leaves each vertex, the boundary's one where there is one: turning from it sweeps the whole
+// fan.
 std::vector<int> leavingHalfEdges(const SurfaceTopology& topology) {
   std::vector<int> leaving(static_cast<std::size_t>(topology.vertexCount()), -1);
   for (int h = 0; h < static_cast<int>(3 * topology.faces().rows()); ++h) {

@@ -13,8 +13,8 @@ namespace authalic {
 struct AnnulusCut {
   std::vector<int> path;      ///< vertices from one loop to the other, along edges
   std::vector<char> onRight;  ///< 3m, per corner 3 f + k: 1 where it touches the path from the right
-  /// 3m, per half-edge: winding numbers of edges around the annulus, +1 from the left copy of a path vertex to the right
-  /// one. Closed: opposite half-edges have opposite numbers and every face has the sum 0.
+  /// 3m, per half-edge: winding numbers of edges around the annulus, +1 from the left copy of a path vertex to the
+  /// right one. Closed: opposite half-edges have opposite numbers and every face has the sum 0.
   std::vector<int> winding;
 };
 

@@ -102,8 +102,8 @@ int numberPieces(const TriangleMesh& surface, const Flags& marked, std::vector<i
 }
 
 /// Unmarks all but the piece with the largest surrounding area; returns how many pieces were unmarked.
-int keepLargestPiece(const TriangleMesh& surface, const Eigen::VectorXd& areas, const std::vector<int>& piece, int count,
-                     Flags& marked) {
+int keepLargestPiece(const TriangleMesh& surface, const Eigen::VectorXd& areas, const std::vector<int>& piece,
+                     int count, Flags& marked) {
   std::vector<double> size(static_cast<std::size_t>(count), 0.0);
   for (int f = 0; f < surface.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) {
