@@ -58,6 +58,19 @@ Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& sur
   return distortion;
 }
 
+SphericalDistortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& surface, const Points3& image,
+                            const Eigen::VectorXd& target) {
+  SphericalDistortion distortion = measureSphericalDistortion(surface, image, target);
+  map->ShallowCopy(input);
+  addArray(map->GetPointData(), "OriginalPoints", surface.points());
+  setPoints(map, image);
+  addDistortion(map, {distortion.arrays, distortion.summary});
+  addField(map, "Coverage", distortion.coverage);
+  addField(map, "FlatAreaDistortion", distortion.flatSummary.areaDistortion);
+  addField(map, "SphericalAngleError", distortion.sphericalAngleError);
+  return distortion;
+}
+
 void imageToTextureCoordinates(vtkPolyData* map) {
   Points3 image = toPoints(map);
   const Eigen::RowVector3d lower = image.colwise().minCoeff(), size = image.colwise().maxCoeff() - lower;

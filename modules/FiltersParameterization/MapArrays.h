@@ -5,7 +5,7 @@
 #include <string>
 
 #include "Core/authalic/TargetMeasure.h"
-#include "Core/distortion/Distortion.h"
+#include "Core/distortion/SphericalDistortion.h"
 #include "Core/mesh/TriangleMesh.h"
 #include "vtkAuthalicFiltersParameterizationModule.h"
 
@@ -24,8 +24,15 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input,
                                                              const TriangleMesh& surface, const Points2& image,
                                                              const Eigen::VectorXd& target = {});
 
+/// The same for an image on the unit sphere (n×3), with the field data that only a sphere has: Coverage (Σ solid
+/// angles / 4π), FlatAreaDistortion (D_area of the flat triangles) and SphericalAngleError (degrees).
+VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT SphericalDistortion fillMap(vtkPolyData* input, vtkPolyData* map,
+                                                                      const TriangleMesh& surface, const Points3& image,
+                                                                      const Eigen::VectorXd& target = {});
+
 /// Turns a map into its surface with texture coordinates: points become OriginalPoints (whose array goes), the image
-/// the active array TCoords, moved and scaled by one factor into [0, 1]², or [0, 1]³ when it is not in the plane z = 0.
+/// the active array TCoords, moved and scaled by one factor into [0, 1]², or [0, 1]³ when it is not in the plane z
+/// = 0.
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void imageToTextureCoordinates(vtkPolyData* map);
 
 /// The measure that the point (else cell) array of that name asks for; surface area when the name is empty.

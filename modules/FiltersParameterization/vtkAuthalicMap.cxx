@@ -5,36 +5,12 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include "AuthalicReport.h"
 #include "Conversion.h"
-#include "Core/authalic/AuthalicMap.h"
 #include "Core/mesh/DiskMesh.h"
-#include "FieldArrays.h"
 #include "MapArrays.h"
-#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkAuthalicMap);
-
-namespace {
-
-authalic::MapReport describe(const authalic::AuthalicMapResult& result) {
-  authalic::MapReport report;
-  report.method = "authalic";
-  report.status = result.status;
-  report.iterations = result.iterations;
-  int vertexSteps = 0;
-  for (const authalic::AuthalicIteration& step : result.history) {
-    report.residuals.push_back(step.residual);
-    vertexSteps += step.exact;
-  }
-  report.residuals.push_back(result.vertexResidual);
-  report.seconds = {{"start", result.startSeconds}, {"faces", result.faceSeconds}, {"vertices", result.vertexSeconds}};
-  report.more.set("face_residual", result.faceResidual);
-  report.more.set("vertex_residual", result.vertexResidual);
-  report.more.set("vertex_steps", vertexSteps);
-  return report;
-}
-
-}  // namespace
 
 vtkAuthalicMap::vtkAuthalicMap() {
   this->SetNumberOfInputPorts(2);
@@ -70,16 +46,13 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
   const authalic::Points2 initial = given ? authalic::toPlanarPoints(given) : authalic::Points2();
   const authalic::AuthalicMapResult result = authalic::authalicMap(disk, target, options, initial, execution);
-  authalic::MapReport report = describe(result);
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces()).summary;
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+  authalic::MapReport report = authalic::describeAuthalicMap(result, output);
+  report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
   report.options.set("initial", given ? "given" : "tutte");
-  report.options.set("tolerance", this->Tolerance);
-  report.options.set("vertex_tolerance", this->VertexTolerance);
-  report.options.set("max_iterations", this->MaximumIterations);
-  authalic::addField(output, "FaceResidual", result.faceResidual);
-  authalic::addField(output, "VertexResidual", result.vertexResidual);
+  authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
 }
 

@@ -2,10 +2,10 @@
  * @class vtkAuthalicMap
  * @brief Area-preserving, or measure-controlled, map of a topological disk: exact at every vertex, no face folded.
  *
- * Starts from Tutte's map (or a given one), matches the areas of the faces by damped Gauss–Newton steps, and then those of the
- * vertex stars to machine precision by Newton steps. Every vertex has exactly its share of the domain; faces have theirs up to
- * Tolerance. When the tolerances are not reached the best map comes with Status not-converged or stalled, a warning, and
- * ErrorKind NOT_CONVERGED.
+ * Starts from Tutte's map (or a given one), matches the areas of the faces by damped Gauss–Newton steps, and then
+ * those of the vertex stars to machine precision by Newton steps. Every vertex has exactly its share of the domain;
+ * faces have theirs up to Tolerance. When the tolerances are not reached the best map comes with Status
+ * not-converged or stalled, a warning, and ErrorKind NOT_CONVERGED.
  *
  * | port | what |
  * |---|---|
@@ -16,7 +16,7 @@
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | field | Method | 1 string | authalic |
- * | field | FaceResidual | 1 double | (Σ m (r − 1)²)^½ over faces, r = image share / target share |
+ * | field | FaceResidual | 1 double | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
  * | field | VertexResidual | 1 double | max of the absolute logarithm of r over vertex stars |
  *
  * See zou2011 and su2019 in docs/references.bib, and docs/methods/authalic-map.md.
@@ -42,7 +42,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Of the face residual (Σ m (r − 1)²)^½, > 0. Default: authalic::AuthalicMapOptions, as below. */
+  /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions, as below. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}

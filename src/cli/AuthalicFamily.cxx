@@ -1,6 +1,7 @@
 #include <vtkAuthalicMap.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSphericalAuthalicMap.h>
 
 #include "MapFamily.h"
 
@@ -13,12 +14,12 @@ class AuthalicFamily : public MapFamily {
 
   std::string description() const override {
     return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and without a fold; a "
-           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE.";
+           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to --domain sphere.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
     return {{"--initial", "a MAP.vtp to the same domain (default: Tutte's)"},
-            {"--tolerance", "residual sqrt(sum m (r - 1)^2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--tolerance", "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 
@@ -29,8 +30,15 @@ class AuthalicFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalAuthalicMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
     setDiskDomain(map, shared.domain);
+    return configured(map, shared, session);
+  }
+
+ private:
+  template <class Filter>
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared, const Session& session) const {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
@@ -38,7 +46,6 @@ class AuthalicFamily : public MapFamily {
     return map;
   }
 
- private:
   vtkNew<vtkAuthalicMap> defaults_;
   std::optional<double> vertexTolerance_;
 };

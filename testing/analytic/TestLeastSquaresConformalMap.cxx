@@ -92,7 +92,8 @@ TEST(LeastSquaresConformalMap, OfASphericalCapBecomesConformalUnderRefinement) {
 }
 
 TEST(LeastSquaresConformalMap, SpectralPinsMapASphericalCapLikeTheStereographicProjection) {
-  // Symmetric mesh, hence symmetric map; the sixfold mesh leaves a z⁷ of under 1e-3 that does not vanish under refinement.
+  // Symmetric mesh, hence symmetric map; the sixfold mesh leaves a z⁷ of under 1e-3 that does not vanish under
+  // refinement.
   const TriangleMesh cap = capMesh(24, 1.2);
   Eigen::MatrixXd projected(cap.vertexCount(), 2);
   for (int i = 0; i < cap.vertexCount(); ++i) {

@@ -53,8 +53,8 @@ double isothermalExcess(double t, double c) {
 }
 
 /// The conformal map of the ellipsoid that keeps meridians and the equator. With z = c cos t and radius sin t the
-/// metric is (cos² t + c² sin² t) dt² + sin² t dφ², that of the sphere dτ² + sin² τ dφ²; both are conformal to du² + dφ²,
-/// so that ln tan(τ/2) = ln tan(t/2) + isothermalExcess(t).
+/// metric is (cos² t + c² sin² t) dt² + sin² t dφ², that of the sphere dτ² + sin² τ dφ²; both are conformal to du²
+/// + dφ², so that ln tan(τ/2) = ln tan(t/2) + isothermalExcess(t).
 Points3 conformalImageOfEllipsoid(const TriangleMesh& mesh, double c) {
   Points3 image(mesh.vertexCount(), 3);
   for (int v = 0; v < mesh.vertexCount(); ++v) {

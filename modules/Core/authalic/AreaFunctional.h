@@ -13,9 +13,10 @@ using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen:
 
 /// Areas a_t(x) of the faces of an image x whose vertices may move in 0, 1 or 2 directions each.
 ///
-/// A vertex with freedom f has the unknowns unknown(v, 0) … unknown(v, f − 1): steps along f orthonormal directions, its
-/// frame, which depends on the image (tangents of the circle or the sphere). A *displacement* is n×d, the frames applied to
-/// a step. Moving by a displacement ends on the domain again (retraction), so it is exact to first order only.
+/// A vertex with freedom f has the unknowns unknown(v, 0) … unknown(v, f − 1): steps along f orthonormal
+/// directions, its frame, which depends on the image (tangents of the circle or the sphere). A *displacement* is
+/// n×d, the frames applied to a step. Moving by a displacement ends on the domain again (retraction), so it is
+/// exact to first order only.
 class AreaFunctional {
  public:
   /// Row v holds the f directions of vertex v, one after the other: n×(2 d), zeros where there is none.

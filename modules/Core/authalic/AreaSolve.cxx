@@ -57,7 +57,8 @@ class AreaSolver {
     execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
   }
 
-  // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether any step was taken.
+  // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether
+  // any step was taken.
   bool faceSteps(double goal, Coordinates& image) {
     const double begun = now();
     bool moved = false;

@@ -9,7 +9,7 @@
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/PlanarAreas.h"
-#include "Core/authalic/Unfold.h"
+#include "Core/initial/Unfold.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricMap.h"
@@ -23,13 +23,6 @@ constexpr double kUsable = 2;         // the same for a given initial map, which
 void require(bool condition, const std::string& required, double found) {
   if (condition) return;
   throw InvalidArgument("Authalic map: " + required + " is required, but it is " + std::to_string(found) + ".");
-}
-
-void requireMatching(const DiskMesh& disk, const TargetMeasure& target) {
-  if (target.faces().size() == disk.mesh().faceCount() && target.vertices().size() == disk.mesh().vertexCount()) return;
-  throw GeometryError("A target measure for the " + std::to_string(disk.mesh().faceCount()) +
-                      " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
-                      "; build it from the same surface.");
 }
 
 // Largest |ln r| of the vertex stars.
@@ -76,7 +69,7 @@ void AuthalicMapOptions::validate() const {
 AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target, const AuthalicMapOptions& options,
                               const Points2& initial, const Execution& execution) {
   options.validate();
-  requireMatching(disk, target);
+  requireTargetOf(disk.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
   const bool given = initial.size() > 0;
   Points2 image = initial;

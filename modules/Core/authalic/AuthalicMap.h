@@ -15,7 +15,7 @@ namespace authalic {
 
 struct AuthalicMapOptions {
   PlanarDomain domain;             ///< unit disk; for maps of a disk only
-  double tolerance = 1e-2;         ///< of the face residual (Σ m_t (r_t − 1)²)^½, > 0; its square is D_area − 2
+  double tolerance = 1e-2;         ///< of the face residual (D_area − 2)^½, > 0
   double vertexTolerance = 1e-10;  ///< of max |ln r_v| over vertex stars, > 0
   int maxIterations = 150;         ///< face and vertex steps together, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
@@ -35,7 +35,7 @@ struct AuthalicMapResult {
   Points2 image;                   ///< n×2, on the domain; vertices in the order of the input
   Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
   int iterations = 0;              ///< steps of both kinds
-  double faceResidual = 0;         ///< (Σ m_t (r_t − 1)²)^½ of `image`, r = image share / target share
+  double faceResidual = 0;         ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = image share / target share
   double vertexResidual = 0;       ///< max |ln r_v| of `image`
   int flippedFaces = 0;
   std::vector<AuthalicIteration> history;
@@ -45,23 +45,27 @@ struct AuthalicMapResult {
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.
 ///
 /// 1. *Start*: Tutte's map, or `initial`, reweighted until areas are within sight (see balancedStart in authalic/).
-/// 2. *Face steps*: damped Gauss–Newton on the authalic energy Σ_t (q_t − m_t)² / m_t, q the image shares and m the targets
-///    of the faces; inner vertices move freely, those of the boundary along it.
-/// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the step of Lie
+/// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
+/// target m; inner vertices move freely, those of the boundary along it.
+/// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the step
+/// of Lie
 ///    advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them reach 1e-12.
 ///
-/// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on to half
-/// the residual; at most 5 rounds. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so that exact faces
-/// are within reach only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
+/// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on
+/// to half the residual; at most 5 rounds. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
+/// that exact faces are within reach only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
 ///
-/// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are unfolded first
+/// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are
+/// unfolded first
 /// @param target   shares per face, from TargetMeasure for this surface; a region's share is exact at its vertices
 ///
-/// Guarantees: no folded face on a convex domain, whatever the status; the boundary lies on that of the domain (pockets
-/// excepted, see BoundaryPlacement); when not converged, the best iterate with its residuals. Not guaranteed: a bound on
-/// angle distortion (area-preserving maps are not unique; the shortest steps keep it near that of the start).
-/// Complexity: one sparse factorisation of size 2 n per face step, one of size n per vertex step, O(n^1.5) each.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the domain;
+/// Guarantees: no folded face on a convex domain, whatever the status; the boundary lies on that of the domain
+/// (pockets excepted, see BoundaryPlacement); when not converged, the best iterate with its residuals. Not
+/// guaranteed: a bound on angle distortion (area-preserving maps are not unique; the shortest steps keep it near
+/// that of the start). Complexity: one sparse factorisation of size 2 n per face step, one of size n per vertex
+/// step, O(n^1.5) each.
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the
+/// domain;
 ///         SolverError when a system cannot be factorised
 [[nodiscard]] AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
                                             const AuthalicMapOptions& options = {}, const Points2& initial = {},

@@ -34,13 +34,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void requireMatching(const DiskMesh& disk, const TargetMeasure& target) {
-  if (target.faces().size() == disk.mesh().faceCount() && target.vertices().size() == disk.mesh().vertexCount()) return;
-  throw GeometryError("A target measure for the " + std::to_string(disk.mesh().faceCount()) +
-                      " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
-                      "; build it from the same surface.");
-}
-
 // Whether some vertex star has less than e⁻⁸ or more than e⁸ of its share.
 bool farFromTarget(const DiskMesh& disk, const TargetMeasure& target, const Points2& image) {
   const Faces& faces = disk.mesh().faces();
@@ -119,7 +112,7 @@ void DiscreteLieFlowOptions::validate() const {
 DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initial, const TargetMeasure& target,
                                       const DiscreteLieFlowOptions& options, const Execution& execution) {
   options.validate();
-  requireMatching(disk, target);
+  requireTargetOf(disk.mesh(), target);
   const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, initial);
   DiscreteLieFlowResult result;
   Stopwatch watch;

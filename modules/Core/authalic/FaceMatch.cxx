@@ -42,7 +42,8 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
 double FaceMatch::residual(const Coordinates& image) const {
   const Eigen::VectorXd a = areas_.areas(image);
   if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  return std::sqrt(((a / a.sum() - targets_).array().square() / targets_.array()).sum());
+  const Eigen::ArrayXd share = a.array() / a.sum();
+  return std::sqrt(((share - targets_.array()).square() / share).sum());
 }
 
 double FaceMatch::energy(const Coordinates& image) const {
@@ -56,7 +57,7 @@ void FaceMatch::linearise(const Coordinates& image) {
   gradients_ = areas_.gradients(image, frames_);
   const Eigen::VectorXd a = areas_.areas(image);
   const double total = a.sum();
-  weights_ = (a.array() / total).max(kSmallestRatio * targets_.array()).min(targets_.array()).inverse() / total;
+  weights_ = (a.array() / total).max(kSmallestRatio * targets_.array()).inverse() / total;
   right_ = Eigen::VectorXd::Zero(areas_.unknownCount());
   const Faces& faces = areas_.faces();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {

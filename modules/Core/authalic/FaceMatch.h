@@ -7,15 +7,16 @@
 
 namespace authalic {
 
-/// Minimises the authalic energy E = Σ_t (q_t − m_t)² / (m_t φ_t), q = a / Σ a the image shares and m the targets.
+/// Minimises E = Σ_t m_t (r_t + 1/r_t − 2) = D_area − 2, r = q / m, q = a / Σ a the image shares and m the targets.
 ///
 /// One step solves (Levenberg–Marquardt)
 ///
 ///     min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + ε Σ_{edges ij} |δ_i − δ_j|²,   S = Σ a,
 ///
-/// with φ_t = clamp(r_t, 0.02, 1), so that shrunken faces weigh as they do in r + 1/r; moves by the part of δ that folds
-/// no face and lowers E; and adapts ε: ×¼ after a long step, ×4 after a short one, ×10 after none. Where faces would
-/// collapse on the way, ε is multiplied for their edges in the steps to come: a triangle that moves rigidly stays.
+/// with φ_t = max(r_t, 0.02) of the image before the step, so that faces weigh as they do in r + 1/r − 2 = (r −
+/// 1)²/r; moves by the part of δ that folds no face and lowers E; and adapts ε: ×¼ after a long step, ×4 after a
+/// short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in the steps
+/// to come: a triangle that moves rigidly stays.
 class FaceMatch {
  public:
   /// @param targets  m shares > 0, sum 1
@@ -25,7 +26,7 @@ class FaceMatch {
   /// @return the part of δ taken, in (0, 1]; 0 when none lowered the energy
   double advance(Coordinates& image);
 
-  /// (Σ m_t (r_t − 1)²)^½ of an image; +infinity when a face is folded.
+  /// (Σ m_t (r_t + 1/r_t − 2))^½ = (D_area − 2)^½ of an image; +infinity when a face is folded.
   [[nodiscard]] double residual(const Coordinates& image) const;
 
   /// Five steps in a row were 0.

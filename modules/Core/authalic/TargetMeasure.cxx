@@ -58,6 +58,13 @@ TargetMeasure TargetMeasure::fromFaceDensity(const TriangleMesh& surface, const 
   return TargetMeasure(surface, density);
 }
 
+void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {
+  if (target.faces().size() == surface.faceCount() && target.vertices().size() == surface.vertexCount()) return;
+  throw GeometryError("A target measure for the " + std::to_string(surface.faceCount()) +
+                      " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
+                      "; build it from the same surface.");
+}
+
 Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double factor) {
   if (!(factor > 0) || !std::isfinite(factor)) {
     throw InvalidArgument("A positive, finite factor is required, but it is " + std::to_string(factor) + ".");

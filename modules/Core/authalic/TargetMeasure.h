@@ -44,6 +44,9 @@ class TargetMeasure {
   int clampedFaces_ = 0;
 };
 
+/// @throws GeometryError when the target was made for a surface with other numbers of faces and vertices
+void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target);
+
 /// A density of 1 everywhere and `factor` on the listed vertices (or faces): a region of interest.
 /// @throws InvalidArgument when the factor is not positive and finite, or an index is outside [0, count)
 [[nodiscard]] Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double factor);

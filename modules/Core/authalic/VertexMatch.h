@@ -9,13 +9,14 @@ namespace authalic {
 
 /// Solves c(x) = 0, c_v = ⅓ Σ_{t∋v} a_t − S n_v, S = Σ a, n the target shares of the vertices.
 ///
-/// There are about half as many equations as unknowns; a step is the shortest displacement that solves the linearised ones,
+/// There are about half as many equations as unknowns; a step is the shortest displacement that solves the
+/// linearised ones,
 ///
 ///     δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c,   J = ∂c/∂x,   W = target areas of the vertices:
 ///
-/// the step of Lie advection @cite zou2011 with the discrete divergence that belongs to the areas, hence quadratic. The
-/// equations depend on each other (they sum to 0; on three-colourable meshes there are two more dependencies): the matrix
-/// is regularised by 1e-12 of its diagonal.
+/// the step of Lie advection @cite zou2011 with the discrete divergence that belongs to the areas, hence quadratic.
+/// The equations depend on each other (they sum to 0; on three-colourable meshes there are two more dependencies):
+/// the matrix is regularised by 1e-12 of its diagonal.
 class VertexMatch {
  public:
   /// @param targets  n shares, sum 1; vertices with target 0 (no face) are left out

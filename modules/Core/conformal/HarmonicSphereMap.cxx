@@ -98,7 +98,8 @@ class Descent {
     slope_ = -now_.gradient.cwiseProduct(steepest_).sum();
   }
 
-  // The infinitesimal Möbius transformation P_i c, P_i: onto the tangent plane at i, with the given mean over the surface.
+  // The infinitesimal Möbius transformation P_i c, P_i: onto the tangent plane at i, with the given mean over the
+  // surface.
   [[nodiscard]] Points3 boostWith(const Eigen::Vector3d& mean) const {
     const Eigen::Matrix3d total = Eigen::Matrix3d::Identity() - now_.map.transpose() * share_.asDiagonal() * now_.map;
     const Eigen::RowVector3d c = total.ldlt().solve(mean).transpose();

@@ -22,10 +22,10 @@ struct HarmonicSphereMapOptions {
 ///
 /// At the minimum the tangential part of Lf vanishes at every vertex. Gradient descent needs thousands of steps; here
 /// the gradient is taken in the H¹ metric, d = −L⁺ P Lf (P: onto the tangent planes), and conjugated (Polak–Ribière):
-/// the Hessian on vector fields of degree l is 1 − 2/(l (l + 1)) of L, so that the steps do not depend on the mesh. The
-/// three infinitesimal Möbius transformations are left out of gradient and steps, and the centre of mass of the surface is
-/// brought back to 0 (see normaliseSphere) after every step: a discrete energy is not quite Möbius invariant.
-/// One factorisation of L serves all.
+/// the Hessian on vector fields of degree l is 1 − 2/(l (l + 1)) of L, so that the steps do not depend on the mesh.
+/// The three infinitesimal Möbius transformations are left out of gradient and steps, and the centre of mass of the
+/// surface is brought back to 0 (see normaliseSphere) after every step: a discrete energy is not quite Möbius
+/// invariant. One factorisation of L serves all.
 ///
 /// @param start  n×3 on the unit sphere, of degree 1. From a start with few folds (stereographicSphereMap) the energy
 ///               unfolds the map; from a far one (gaussSphereMap) it takes some more steps.

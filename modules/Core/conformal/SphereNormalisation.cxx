@@ -115,4 +115,12 @@ SphereNormalisation normaliseSphere(const TriangleMesh& surface, const Points3& 
   return result;
 }
 
+Points3 rotateSphere(const TriangleMesh& surface, const Points3& image, const SphereNormalisationOptions& options) {
+  options.validate();
+  requireLandmark(surface, options.northVertex);
+  requireLandmark(surface, options.meridianVertex);
+  const Eigen::VectorXd mass = vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount());
+  return image * rotationOf(surface, image, mass, options).transpose();
+}
+
 }  // namespace authalic

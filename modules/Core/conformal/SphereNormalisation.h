@@ -41,10 +41,10 @@ struct SphereNormalisation {
 
 /// Moves a spherical image by the Möbius transformation that puts its centre of mass at 0, and rotates it.
 ///
-/// The mass m_i of a vertex is a third of the areas of its faces **on the surface**, not on the sphere: Σ m_i y_i is the
-/// discrete ∫ f dA of @cite gu2004, the zero-mass-centre condition. By it and the rotation two conformal images of one
-/// surface become comparable. A Möbius transformation changes no angle, but a mesh sees it at its vertices only: where
-/// faces are very coarse on the sphere one may fold; count the flips of the result.
+/// The mass m_i of a vertex is a third of the areas of its faces **on the surface**, not on the sphere: Σ m_i y_i
+/// is the discrete ∫ f dA of @cite gu2004, the zero-mass-centre condition. By it and the rotation two conformal
+/// images of one surface become comparable. A Möbius transformation changes no angle, but a mesh sees it at its
+/// vertices only: where faces are very coarse on the sphere one may fold; count the flips of the result.
 ///
 /// Surface and PrincipalAxes commute with similarities and renumbering of the surface. They are not unique where the
 /// surface has symmetries (the sphere itself): then the outcome is deterministic, but small changes may turn it.
@@ -57,5 +57,10 @@ struct SphereNormalisation {
 /// Complexity O(n) per iteration; 4 to 10 iterations.
 [[nodiscard]] SphereNormalisation normaliseSphere(const TriangleMesh& surface, const Points3& image,
                                                   const SphereNormalisationOptions& options = {});
+
+/// The rotation alone, for images whose Möbius transformation is not free: nothing but isometries of the sphere.
+/// @throws as normaliseSphere
+[[nodiscard]] Points3 rotateSphere(const TriangleMesh& surface, const Points3& image,
+                                   const SphereNormalisationOptions& options = {});
 
 }  // namespace authalic

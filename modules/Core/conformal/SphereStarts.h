@@ -7,8 +7,8 @@
 
 namespace authalic {
 
-/// Tutte's embedding @cite tutte1963 of the surface less one face, that face as the outer triangle, lifted to the sphere
-/// with the surface's centre of mass at 0. Injective in the plane, whatever the angles.
+/// Tutte's embedding @cite tutte1963 of the surface less one face, that face as the outer triangle, lifted to the
+/// sphere with the surface's centre of mass at 0. Injective in the plane, whatever the angles.
 /// @throws SolverError when the system cannot be factorised
 [[nodiscard]] Points3 tutteSphereMap(const SphereMesh& sphere, int outerFace,
                                      SolverBackend solver = SolverBackend::Automatic);

@@ -28,8 +28,9 @@ struct StereographicSphereMapOptions {
 /// Solves Δz = (∂/∂x − i ∂/∂y) δ_p on the surface, p in the punctured face, and lifts z to the sphere.
 ///
 /// The dipole makes z a conformal map to the plane with its pole at p @cite haker2000: one sparse solve. Where the
-/// image is coarse, around p, the lifted map is poor; so the sphere is turned over and the part around p, bounded by the
-/// vertices that hold `correctedShare` of the area, is solved once more in the other chart with its outer vertices held
+/// image is coarse, around p, the lifted map is poor; so the sphere is turned over and the part around p, bounded
+/// by the vertices that hold `correctedShare` of the area, is solved once more in the other chart with its outer
+/// vertices held
 /// @cite choi2015 (whose Beltrami solver is, on the surface's own metric, this Dirichlet problem).
 /// The image has its centre of mass at 0 (see normaliseSphere), without a rotation.
 ///
@@ -42,7 +43,8 @@ struct StereographicSphereMapOptions {
                                                         const StereographicSphereMapOptions& options = {},
                                                         const Execution& execution = {});
 
-/// A planar image of a punctured sphere, lifted so that the surface has its centre of mass at 0 (see normaliseSphere).
+/// A planar image of a punctured sphere, lifted so that the surface has its centre of mass at 0 (see
+/// normaliseSphere).
 /// @param plane  n×2 of any place and size; clockwise, as the sphere is seen from outside with the pole at infinity
 [[nodiscard]] Points3 liftCentred(const TriangleMesh& surface, Points2 plane);
 

@@ -16,7 +16,8 @@ namespace authalic {
 /// @param a, b, c  unit vectors
 [[nodiscard]] double signedSolidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// Six times the signed volume of the tetrahedron (0, a, b, c): det(a, b − a, c − a). Its sign is that of the solid angle.
+/// Six times the signed volume of the tetrahedron (0, a, b, c): det(a, b − a, c − a). Its sign is that of the solid
+/// angle.
 [[nodiscard]] double signedDeterminant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 /// Solid angle of every face, steradians. For a homeomorphic image of a topological sphere they sum to 4π. O(m).

@@ -10,8 +10,9 @@
 
 namespace authalic {
 
-/// Half cotangents of a surface whose degenerate faces are clamped to the nearest triangle of height 1e-8 of its longest
-/// side: unlike cotangentWeights, they belong to real triangles, so that E_D − A stays positive semi-definite.
+/// Half cotangents of a surface whose degenerate faces are clamped to the nearest triangle of height 1e-8 of its
+/// longest side: unlike cotangentWeights, they belong to real triangles, so that E_D − A stays positive
+/// semi-definite.
 [[nodiscard]] HalfEdgeWeights shapeWeights(const TriangleMesh& surface);
 
 /// The cotangent stiffness with those weights, n×n, lower triangle.

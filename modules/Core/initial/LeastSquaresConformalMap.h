@@ -44,20 +44,20 @@ struct LeastSquaresConformalMapResult {
   double seconds = 0;
 };
 
-/// Minimises the conformal energy E_C(x, y) = ½ Σ_t A_t |∇x − J∇y|² = E_D − A, the Dirichlet energy less the area of the
-/// image; E_C = 0 exactly when every face is mapped by a similarity.
+/// Minimises the conformal energy E_C(x, y) = ½ Σ_t A_t |∇x − J∇y|² = E_D − A, the Dirichlet energy less the area
+/// of the image; E_C = 0 exactly when every face is mapped by a similarity.
 ///
-/// With z = x + i y, L the cotangent stiffness and S_ij = ±1 on boundary edges, E_C = ½ zᴴ M z, M = L + ½ i S: interior
-/// vertices couple x and y nowhere. TwoVertices solves M z = 0 off the pins. Spectral finds the smallest λ > 0 of
-/// M z = λ B z, B the boundary's lumped length, zᴴB1 = 0: subspace iteration with one factorisation of M + εB.
+/// With z = x + i y, L the cotangent stiffness and S_ij = ±1 on boundary edges, E_C = ½ zᴴ M z, M = L + ½ i S:
+/// interior vertices couple x and y nowhere. TwoVertices solves M z = 0 off the pins. Spectral finds the smallest λ
+/// > 0 of M z = λ B z, B the boundary's lumped length, zᴴB1 = 0: subspace iteration with one factorisation of M + εB.
 ///
-/// Where the boundary should be a circle use a harmonic or Riemann map; the boundary here takes the shape that distorts
-/// angles least. Pins bend the map near them on strongly curved surfaces; Spectral has no such vertices.
+/// Where the boundary should be a circle use a harmonic or Riemann map; the boundary here takes the shape that
+/// distorts angles least. Pins bend the map near them on strongly curved surfaces; Spectral has no such vertices.
 ///
-/// Guarantees: positive semi-definite for any mesh (the shape of degenerate faces is clamped consistently); flat disks
-/// are reproduced up to a similarity; same input, same bits. Does **not** guarantee unfolded faces → `flippedFaces`, nor
-/// that distant parts of the boundary do not overlap. Not to be had: a map with neither; use SymmetricDirichletMap to
-/// start from an unfolded one.
+/// Guarantees: positive semi-definite for any mesh (the shape of degenerate faces is clamped consistently); flat
+/// disks are reproduced up to a similarity; same input, same bits. Does **not** guarantee unfolded faces →
+/// `flippedFaces`, nor that distant parts of the boundary do not overlap. Not to be had: a map with neither; use
+/// SymmetricDirichletMap to start from an unfolded one.
 ///
 /// Complexity: one factorisation with 2n unknowns, O(n^1.5); Spectral adds one solve of 3 columns per iteration.
 /// @throws InvalidArgument when a pin is not on the boundary

@@ -25,8 +25,9 @@ constexpr double kSufficient = 1e-4;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// The Newton system: x and y of the vertices that move. With a free boundary one vertex of a distant pair stays, and the
-// other moves along x only: translation and rotation, of which E does not depend, would make the matrix singular.
+// The Newton system: x and y of the vertices that move. With a free boundary one vertex of a distant pair stays,
+// and the other moves along x only: translation and rotation, of which E does not depend, would make the matrix
+// singular.
 class NewtonSystem {
  public:
   NewtonSystem(const DiskMesh& disk, IsometricBoundary boundary, SolverBackend backend)

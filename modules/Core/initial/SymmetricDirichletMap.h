@@ -48,13 +48,15 @@ struct SymmetricDirichletMapResult {
   double seconds = 0;
 };
 
-/// Minimises E = Σ_t ρ_t (σ1² + σ1⁻² + σ2² + σ2⁻²), ρ_t the face's share of the surface area, σ the singular values of its
-/// Jacobian: the energy of SLIM @cite rabinovich2017. It is 4 for an isometry and infinite where a face collapses.
+/// Minimises E = Σ_t ρ_t (σ1² + σ1⁻² + σ2² + σ2⁻²), ρ_t the face's share of the surface area, σ the singular values
+/// of its Jacobian: the energy of SLIM @cite rabinovich2017. It is 4 for an isometry and infinite where a face
+/// collapses.
 ///
-/// Projected Newton in place of SLIM's reweighting: the Hessian of each face, whose four eigenpairs are known in closed
-/// form @cite smith2019 (two stretches, one flip, one twist; only the twist can be negative and is then left out), on a
-/// pattern ordered once. Quadratic at the end, where SLIM is linear. Steps: min(1, 0.9 of the first collapse), halved until
-/// E falls enough (Armijo). With Fixed, the surface counts as scaled to the area of the start.
+/// Projected Newton in place of SLIM's reweighting: the Hessian of each face, whose four eigenpairs are known in
+/// closed form @cite smith2019 (two stretches, one flip, one twist; only the twist can be negative and is then left
+/// out), on a pattern ordered once. Quadratic at the end, where SLIM is linear. Steps: min(1, 0.9 of the first
+/// collapse), halved until E falls enough (Armijo). With Fixed, the surface counts as scaled to the area of the
+/// start.
 ///
 /// @param start  n×2, every face counter-clockwise: barycentricMap with tutte or mean-value weights
 /// Guarantees: no face of the image is folded (local injectivity), E never rises, same input same bits. Does **not**

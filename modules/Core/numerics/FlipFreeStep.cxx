@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace authalic {
 namespace {
@@ -22,6 +23,35 @@ double smallestPositiveRoot(double a, double b, double c) noexcept {
   if (q == 0) return kInfinity;  // b = 0 and a = 0: the area is constant
   const double first = positiveOrInfinite(c / q);
   return a == 0 ? first : std::min(first, positiveOrInfinite(q / a));
+}
+
+double smallestPositiveRoot(double a, double b, double c, double d, double farthest) noexcept {
+  if (!(d > 0)) return 0;
+  const double t = farthest;
+  if (((std::abs(a) * t + std::abs(b)) * t + std::abs(c)) * t < d) return kInfinity;
+  const auto value = [&](double x) { return ((a * x + b) * x + c) * x + d; };
+  // The extrema within (0, farthest), in order, divide it into parts where the cubic is monotone.
+  double ends[3] = {farthest, farthest, farthest};
+  int count = 0;
+  const double discriminant = b * b - 3 * a * c;
+  if (discriminant >= 0) {
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    for (const double extremum : {a != 0 ? q / (3 * a) : -1.0, q != 0 ? c / q : -1.0}) {
+      if (extremum > 0 && extremum < farthest) ends[count++] = extremum;
+    }
+    if (count == 2 && ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+  }
+  double low = 0;
+  for (int part = 0; part <= count; low = ends[part++]) {
+    if (value(ends[part]) > 0) continue;
+    double high = ends[part];
+    for (int halving = 0; halving < 50; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (value(middle) > 0 ? low : high) = middle;
+    }
+    return low;
+  }
+  return kInfinity;
 }
 
 double firstFlip(const Points2& p, const Points2& v, int a, int b, int c) noexcept {

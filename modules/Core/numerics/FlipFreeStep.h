@@ -13,6 +13,10 @@ namespace authalic {
 /// For c ≤ 0 (a triangle that is already degenerate or flipped) the answer is 0.
 [[nodiscard]] double smallestPositiveRoot(double a, double b, double c) noexcept;
 
+/// Smallest λ in (0, farthest] with a λ³ + b λ² + c λ + d = 0, or +infinity when there is none; 0 for d ≤ 0.
+/// Bisection between the extrema of the cubic, to 1e-15 of `farthest`.
+[[nodiscard]] double smallestPositiveRoot(double a, double b, double c, double d, double farthest) noexcept;
+
 /// First step λ at which the triangle p + λ v has no area, +infinity when it never loses it.
 ///
 /// With edges e and velocity differences d of corners 2 and 3 against corner 1 and × the planar cross product,

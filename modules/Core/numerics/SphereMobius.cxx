@@ -108,7 +108,8 @@ SphereMobius SphereMobius::inverse() const {
 }
 
 SphereMobius SphereMobius::operator*(const SphereMobius& first) const {
-  // What goes to the origin: the point that `first` takes to our centre. The rest is a rotation, read off three points.
+  // What goes to the origin: the point that `first` takes to our centre. The rest is a rotation, read off three
+  // points.
   const Eigen::Vector3d centre = translateBall(-first.centre_, first.rotation_.transpose() * centre_);
   Eigen::Matrix3d from, to;
   for (int k = 0; k < 3; ++k) {

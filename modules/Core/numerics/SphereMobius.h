@@ -9,9 +9,9 @@
 
 namespace authalic {
 
-/// x ↦ R φ_w(x) with φ_w(x) = (1 − |w|²)(x − w)/|x − w|² − w: a translation of hyperbolic space that carries the point w
-/// of the open unit ball to its centre, seen on the sphere, then a rotation R. Every conformal map of the sphere that
-/// keeps orientation is of this form, in one way. Circles go to circles.
+/// x ↦ R φ_w(x) with φ_w(x) = (1 − |w|²)(x − w)/|x − w|² − w: a translation of hyperbolic space that carries the
+/// point w of the open unit ball to its centre, seen on the sphere, then a rotation R. Every conformal map of the
+/// sphere that keeps orientation is of this form, in one way. Circles go to circles.
 class SphereMobius {
  public:
   /// The identity.
@@ -50,13 +50,13 @@ struct SphereCentring {
 ///
 /// φ = φ_w where w, the conformal barycentre @cite douady1986, minimises Σ m_i ln(|x_i − w|² / (1 − |w|²)): a sum of
 /// Busemann functions, strictly convex along hyperbolic geodesics. Newton's method in hyperbolic space
-/// @cite cantarella2022: about the last w the step solves (I − Σ m y yᵀ) s = ½ Σ m y, y = φ_w(x), Σ m = 1; it is halved
-/// until the energy falls enough, so that every iteration makes progress from any start.
+/// @cite cantarella2022: about the last w the step solves (I − Σ m y yᵀ) s = ½ Σ m y, y = φ_w(x), Σ m = 1; it is
+/// halved until the energy falls enough, so that every iteration makes progress from any start.
 ///
 /// @param points  n×3 on the unit sphere
 /// @param masses  n masses ≥ 0 with a positive sum; no point may hold half of it (then there is no minimum → Stalled)
-/// @throws GeometryError when sizes differ, a mass is negative or not finite, all are zero, or a point is off the sphere
-/// Complexity O(n) per iteration; 4 to 10 iterations.
+/// @throws GeometryError when sizes differ, a mass is negative or not finite, all are zero, or a point is off the
+/// sphere Complexity O(n) per iteration; 4 to 10 iterations.
 [[nodiscard]] SphereCentring centreOfSphericalMassToOrigin(const Points3& points, const Eigen::VectorXd& masses,
                                                            double tolerance = 1e-13, int maxIterations = 100);
 

@@ -1,0 +1,24 @@
+/// @file
+/// Solid angles of a spherical image whose vertices move on the sphere. Private to authalic/.
+#pragma once
+
+#include "Core/authalic/AreaFunctional.h"
+
+namespace authalic {
+
+/// Every vertex moves along its tangent plane and is put back on the sphere; areas are solid angles, which sum to 4π.
+class SolidAngles final : public AreaFunctional {
+ public:
+  SolidAngles(const Faces& faces, int vertexCount);
+
+  [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
+  [[nodiscard]] Frames frames(const Coordinates& image) const override;
+  [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
+  [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
+  /// Of the signed volume, a cubic in t, for t ≤ kFarthest; its sign is that of the solid angle also after retraction.
+  [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
+
+  static constexpr double kFarthest = 4;
+};
+
+}  // namespace authalic

@@ -1,0 +1,39 @@
+/// @file
+/// The exact authalic solve on the sphere.
+#pragma once
+
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/mesh/SphereMesh.h"
+
+namespace authalic {
+
+struct SphericalAuthalicMapResult {
+  Points3 image;                   ///< n×3 on the unit sphere; vertices in the order of the input
+  Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
+  int iterations = 0;              ///< steps of both kinds
+  double faceResidual = 0;         ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = solid angle share / target share
+  double vertexResidual = 0;       ///< max |ln r_v| of `image`
+  int flippedFaces = 0;
+  std::vector<AuthalicIteration> history;
+  double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
+};
+
+/// Maps a genus-0 surface to the unit sphere so that every vertex star has its target solid angle, as authalicMap().
+///
+/// Areas are solid angles, which tile the sphere exactly; every vertex moves along its tangent plane. The start is
+/// made of two disks on two caps (see twoCapsStart in authalic/), or is `initial`. The rotation is the one that
+/// brings the image closest to the surface (SphereRotation::Surface).
+///
+/// @param initial  n×3 on the unit sphere, or empty. One whose areas are far from their targets (a conformal map of a
+///                 cortex) only decides where the two disks meet.
+/// Guarantees and failures as authalicMap(); the start of a surface that folds on the sphere beyond repair is
+/// refused.
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or no
+/// start without
+///         a fold was found; SolverError when a system cannot be factorised
+/// @cite zou2011 @cite su2019
+[[nodiscard]] SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const TargetMeasure& target,
+                                                              const AuthalicMapOptions& options = {},
+                                                              const Points3& initial = {}, const Execution& execution = {});
+
+}  // namespace authalic

@@ -1,0 +1,163 @@
+#include "Core/authalic/TwoCapsStart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "Core/authalic/BalancedStart.h"
+#include "Core/conformal/UnfoldOnSphere.h"
+#include "Core/geometry/Areas.h"
+#include "Core/initial/BarycentricMap.h"
+
+namespace authalic {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Labels the edge-connected parts of the faces with the given side; others −1. Returns the sizes.
+std::vector<int> componentsOf(const SurfaceTopology& topology, const std::vector<char>& side, char which,
+                              std::vector<int>& label) {
+  std::vector<int> sizes, stack;
+  label.assign(side.size(), -1);
+  for (int seed = 0; seed < static_cast<int>(side.size()); ++seed) {
+    if (side[at(seed)] != which || label[at(seed)] >= 0) continue;
+    label[at(seed)] = static_cast<int>(sizes.size());
+    sizes.push_back(0);
+    stack.assign(1, seed);
+    while (!stack.empty()) {
+      const int f = stack.back();
+      stack.pop_back();
+      ++sizes.back();
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const int g = topology.opposite(h) / 3;
+        if (side[at(g)] != which || label[at(g)] >= 0) continue;
+        label[at(g)] = label[at(f)];
+        stack.push_back(g);
+      }
+    }
+  }
+  return sizes;
+}
+
+// All parts of one side but the largest go to the other side; whether there were any.
+bool keepLargest(const SurfaceTopology& topology, std::vector<char>& side, char which) {
+  std::vector<int> label;
+  const std::vector<int> sizes = componentsOf(topology, side, which, label);
+  if (sizes.size() <= 1) return false;
+  const int largest = static_cast<int>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  for (std::size_t f = 0; f < side.size(); ++f) {
+    if (label[f] >= 0 && label[f] != largest) side[f] = static_cast<char>(!which);
+  }
+  return true;
+}
+
+// Where the two sides meet more than once around a vertex, all its faces go north; whether there was such a vertex.
+bool joinPinches(const SurfaceTopology& topology, std::vector<char>& side) {
+  std::vector<int> borders(at(topology.vertexCount()), 0);
+  for (int h = 0; h < 3 * static_cast<int>(side.size()); ++h) {
+    if (side[at(h / 3)] && !side[at(topology.opposite(h) / 3)]) ++borders[at(topology.tail(h))];
+  }
+  bool any = false;
+  for (int f = 0; f < static_cast<int>(side.size()); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      if (borders[at(topology.faces()(f, k))] < 2 || side[at(f)]) continue;
+      side[at(f)] = 1;
+      any = true;
+    }
+  }
+  return any;
+}
+
+// 1 for the faces of the northern disk, 0 for those of the southern one.
+std::vector<char> northernDisk(const SphereMesh& sphere, const Points3& image) {
+  const Faces& faces = sphere.mesh().faces();
+  std::vector<char> side(at(static_cast<int>(faces.rows())));
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    side[static_cast<std::size_t>(f)] = image(faces(f, 0), 2) + image(faces(f, 1), 2) + image(faces(f, 2), 2) > 0;
+  }
+  for (bool changed = true; changed;) {
+    changed = keepLargest(sphere.topology(), side, 1);
+    changed = keepLargest(sphere.topology(), side, 0) || changed;
+    changed = joinPinches(sphere.topology(), side) || changed;
+  }
+  return side;
+}
+
+// One of the two disks, with its image in the unit disk.
+struct Half {
+  std::vector<int> faces, vertices;  // of the sphere
+  Points2 image;
+  double share = 0;                  // of the target measure
+};
+
+struct LocalMesh {
+  TriangleMesh mesh;
+  std::vector<int> number;  // in the half, of the vertices of the sphere
+};
+
+LocalMesh extract(const TriangleMesh& whole, Half& half) {
+  std::vector<int> number(at(whole.vertexCount()), -1);
+  Faces faces = whole.faces()(half.faces, Eigen::all);
+  for (Eigen::Index k = 0; k < faces.size(); ++k) {
+    int& local = number[at(faces.data()[k])];
+    if (local < 0) {
+      local = static_cast<int>(half.vertices.size());
+      half.vertices.push_back(faces.data()[k]);
+    }
+    faces.data()[k] = local;
+  }
+  return {TriangleMesh(whole.points()(half.vertices, Eigen::all), faces), std::move(number)};
+}
+
+Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char which, int startVertex,
+              const TargetMeasure& target, SolverBackend backend, double goodEnough, const Execution& execution) {
+  Half half;
+  for (int f = 0; f < static_cast<int>(side.size()); ++f) {
+    if (side[at(f)] == which) half.faces.push_back(f);
+  }
+  LocalMesh local = extract(sphere.mesh(), half);
+  const DiskMesh disk(std::move(local.mesh));
+  const Eigen::VectorXd measure = target.faces()(half.faces);
+  half.share = measure.sum();
+  const TargetMeasure own =
+      TargetMeasure::fromFaceDensity(disk.mesh(), measure.cwiseQuotient(faceAreas(disk.mesh()).cwiseMax(1e-300)));
+  BarycentricMapOptions tutte;
+  tutte.weights = BarycentricWeights::Uniform;
+  tutte.startVertex = local.number[at(startVertex)];
+  tutte.solver = backend;
+  half.image = balancedStart(disk, barycentricMap(disk, tutte).image, own, backend, goodEnough, execution);
+  return half;
+}
+
+// Lambert's projection of the unit disk to the cap about the north (sign 1) or south pole that holds `share` of the
+// sphere.
+void projectToCap(const Half& half, double sign, Points3& image) {
+  for (std::size_t i = 0; i < half.vertices.size(); ++i) {
+    const Eigen::RowVector2d p = half.image.row(static_cast<Eigen::Index>(i));
+    const double radius = p.norm(), height = 1 - 2 * half.share * std::min(1.0, radius * radius);
+    const double scale = radius > 0 ? std::sqrt(1 - height * height) / radius : 0;
+    image.row(half.vertices[i]) << scale * p[0], sign * scale * p[1], sign * height;
+  }
+}
+
+}  // namespace
+
+Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target, SolverBackend backend,
+                     double goodEnough, const Execution& execution) {
+  const std::vector<char> side = northernDisk(sphere, image);
+  int startVertex = 0;
+  for (int h = 0; h < 3 * static_cast<int>(side.size()); ++h) {
+    if (side[at(h / 3)] == side[at(sphere.topology().opposite(h) / 3)]) continue;
+    startVertex = sphere.topology().tail(h);
+    break;
+  }
+  const Half south = makeHalf(sphere, side, 0, startVertex, target, backend, goodEnough, execution.part(0, 0.5));
+  const Half north = makeHalf(sphere, side, 1, startVertex, target, backend, goodEnough, execution.part(0.5, 1));
+  Points3 start(sphere.mesh().vertexCount(), 3);
+  projectToCap(south, -1, start);
+  projectToCap(north, 1, start);
+  start.rowwise().normalize();
+  return unfoldOnSphere(sphere, std::move(start)).image;
+}
+
+}  // namespace authalic

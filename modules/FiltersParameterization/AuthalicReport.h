@@ -1,0 +1,21 @@
+/// @file
+/// What both authalic maps report.
+#pragma once
+
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/SphericalAuthalicMap.h"
+#include "Reports/MapReport.h"
+
+class vtkPolyData;
+
+namespace authalic {
+
+/// Method, status, residuals, seconds, and the members and field data FaceResidual and VertexResidual.
+/// @param Result  AuthalicMapResult or SphericalAuthalicMapResult
+template <class Result>
+[[nodiscard]] MapReport describeAuthalicMap(const Result& result, vtkPolyData* map);
+
+/// Tolerances and limits as the options of a report.
+void addAuthalicOptions(Json& options, const AuthalicMapOptions& values);
+
+}  // namespace authalic

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/base/Error.h"
+#include "Core/distortion/SphericalDistortion.h"
+#include "Core/geometry/SphericalAreas.h"
+#include "support/TestMeshes.h"
+
+using namespace authalic;
+using namespace authalic::testing;
+
+namespace {
+
+// A sphere with bumps and a long nose; no symmetry.
+TriangleMesh bumpySphere(int levels, double nose = 1.5) {
+  const TriangleMesh sphere = sphereMesh(levels);
+  Points3 points = sphere.points();
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::RowVector3d p = points.row(i);
+    const double bump = 0.2 * std::sin(4 * p[0] + 1) * std::cos(3 * p[1]) + nose * std::exp(8 * (p[2] - 1));
+    points.row(i) *= 1 + bump;
+  }
+  return TriangleMesh(points, sphere.faces());
+}
+
+AuthalicMapOptions coarse() {
+  AuthalicMapOptions options;
+  options.tolerance = 0.02;
+  return options;
+}
+
+void expectExact(const TriangleMesh& surface, const SphericalAuthalicMapResult& result, const Eigen::VectorXd& target = {}) {
+  EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << ' ' << result.vertexResidual;
+  const SphericalDistortion distortion = measureSphericalDistortion(surface, result.image, target);
+  EXPECT_LT(distortion.summary.vertexMaxAbsLog, 1e-9);
+  EXPECT_LT(distortion.summary.areaDistortion, 2.0004);
+  EXPECT_EQ(distortion.flippedByVolume, 0);
+  EXPECT_NEAR(distortion.coverage, 1, 1e-12);
+}
+
+}  // namespace
+
+TEST(SphericalAuthalicMap, IsExactAtEveryVertex) {
+  for (const double nose : {0.0, 1.5, 4.0}) {
+    const SphereMesh sphere(bumpySphere(4, nose));
+    expectExact(sphere.mesh(), sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), coarse()));
+  }
+}
+
+TEST(SphericalAuthalicMap, IsTheIdentityOnASphereWithSolidAnglesAsItsMeasure) {
+  const TriangleMesh mesh = sphereMesh(3);
+  const Eigen::VectorXd density = signedSolidAngles(mesh.points(), mesh.faces()).cwiseQuotient(
+      signedChordAreas(mesh.points(), mesh.faces()));
+  const SphericalAuthalicMapResult result = sphericalAuthalicMap(
+      SphereMesh(mesh), TargetMeasure::fromFaceDensity(mesh, density), {}, mesh.points());
+  EXPECT_EQ(result.status, Status::Converged);
+  EXPECT_LT((result.image - mesh.points()).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SphericalAuthalicMap, GivesAHemisphereFourTimesItsDensity) {
+  const SphereMesh sphere(bumpySphere(4));
+  Eigen::VectorXd density(sphere.mesh().vertexCount());
+  for (int v = 0; v < density.size(); ++v) density[v] = sphere.mesh().point(v)[0] > 0 ? 4 : 1;
+  const TargetMeasure target = TargetMeasure::fromVertexDensity(sphere.mesh(), density);
+  expectExact(sphere.mesh(), sphericalAuthalicMap(sphere, target, coarse()), target.faces());
+}
+
+TEST(SphericalAuthalicMap, TurnsWithTheSurface) {
+  const TriangleMesh mesh = bumpySphere(3);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  const TriangleMesh turned((mesh.points() * turn.transpose() * 12.0).rowwise() + Eigen::RowVector3d(3, 4, 5), mesh.faces());
+  AuthalicMapOptions options;
+  options.tolerance = 0.1;
+  const Points3 one = sphericalAuthalicMap(SphereMesh(mesh), TargetMeasure(mesh), options).image;
+  const Points3 other = sphericalAuthalicMap(SphereMesh(turned), TargetMeasure(turned), options).image;
+  EXPECT_LT((one * turn.transpose() - other).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(SphericalAuthalicMap, TakesAnInitialMapAndRefusesOneThatIsNotOnTheSphere) {
+  const SphereMesh sphere(bumpySphere(3, 0.0));
+  Points3 initial = sphereMesh(3).points();
+  expectExact(sphere.mesh(), sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), coarse(), initial));
+  initial.row(5) *= 1.5;
+  EXPECT_THROW((void)sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), {}, initial), GeometryError);
+  EXPECT_THROW((void)sphericalAuthalicMap(sphere, TargetMeasure(sphereMesh(2))), GeometryError);
+}
+
+TEST(SphericalAuthalicMap, GivesTheSameBitsOnOneThreadAndTwo) {
+  const SphereMesh sphere(bumpySphere(3));
+  const TargetMeasure target(sphere.mesh());
+  EXPECT_EQ(sphericalAuthalicMap(sphere, target, coarse(), {}, Execution({}, {}, 1)).image,
+            sphericalAuthalicMap(sphere, target, coarse(), {}, Execution({}, {}, 2)).image);
+}
+
+TEST(SphericalAuthalicMap, ReturnsAnUnfoldedIterateWhenCancelled) {
+  const SphereMesh sphere(bumpySphere(3));
+  int asked = 0;
+  const SphericalAuthalicMapResult result = sphericalAuthalicMap(
+      sphere, TargetMeasure(sphere.mesh()), {}, {}, Execution({}, [&] { return ++asked > 50; }));
+  EXPECT_EQ(result.status, Status::Cancelled);
+  EXPECT_EQ(countFlippedOnSphere(result.image, sphere.mesh().faces()), 0);
+}
