@@ -44,8 +44,10 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   const authalic::SphereMesh sphere(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, sphere.mesh(), this->MeasureArrayName);
   const authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
-  const authalic::SphericalAuthalicMapResult result = authalic::sphericalAuthalicMap(sphere, target, options, initial, execution);
-  const authalic::SphericalDistortion distortion = authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
+  const authalic::SphericalAuthalicMapResult result =
+      authalic::sphericalAuthalicMap(sphere, target, options, initial, execution);
+  const authalic::SphericalDistortion distortion =
+      authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());

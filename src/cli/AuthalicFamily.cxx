@@ -13,8 +13,10 @@ class AuthalicFamily : public MapFamily {
   std::vector<std::string> methods() const override { return {"authalic"}; }
 
   std::string description() const override {
-    return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and without a fold; a "
-           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to --domain sphere.";
+    return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and "
+           "without a fold; a "
+           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to "
+           "--domain sphere.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -38,7 +40,8 @@ class AuthalicFamily : public MapFamily {
 
  private:
   template <class Filter>
-  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared, const Session& session) const {
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
+                                     const Session& session) const {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);

@@ -99,6 +99,7 @@ TEST(LeastSquaresConformalMap, SpectralPinsMapASphericalCapLikeTheStereographicP
   for (int i = 0; i < cap.vertexCount(); ++i) {
     projected.row(i) = cap.points().row(i).leftCols<2>() / (1 + cap.points()(i, 2));
   }
-  const LeastSquaresConformalMapResult result = leastSquaresConformalMap(DiskMesh(cap), withPins(ConformalPins::Spectral));
+  const LeastSquaresConformalMapResult result =
+      leastSquaresConformalMap(DiskMesh(cap), withPins(ConformalPins::Spectral));
   EXPECT_LT(differenceUpToSimilarity(complexOf(result.image), complexOf(projected)), 2e-3);
 }

@@ -34,7 +34,9 @@ TEST(SphericalAreas, OfAnOctantIsAnEighthOfTheSphere) {
 
 TEST(SphericalAreas, StayBelowAHemisphere) {
   // Three points a little beside the equator: the triangle is the side of its plane that is less than a hemisphere.
-  const auto at = [](double angle, double z) { return Eigen::Vector3d(std::cos(angle), std::sin(angle), z).normalized(); };
+  const auto at = [](double angle, double z) {
+    return Eigen::Vector3d(std::cos(angle), std::sin(angle), z).normalized();
+  };
   const auto area = [&at](double z) { return signedSolidAngle(at(0, z), at(2 * M_PI / 3, z), at(4 * M_PI / 3, z)); };
   EXPECT_GT(area(0.01), 1.9 * M_PI);
   EXPECT_LT(area(0.01), 2 * M_PI);
@@ -90,7 +92,8 @@ TEST(SphericalDistortion, OfAMobiusMapHasVanishingAngleErrorAndItsConformalFacto
     const SphericalDistortion d = measureSphericalDistortion(sphere, boosted(sphere.points(), a));
     double area = 0;  // the density of the image is ((1 − |a|²)/|x − a|²)²
     for (int f = 0; f < sphere.faceCount(); ++f) {
-      const Eigen::RowVector3d centre = (sphere.corner(f, 0) + sphere.corner(f, 1) + sphere.corner(f, 2)).normalized().transpose();
+      const Eigen::RowVector3d centre =
+          (sphere.corner(f, 0) + sphere.corner(f, 1) + sphere.corner(f, 2)).normalized().transpose();
       const double factor = (1 - a.squaredNorm()) / (centre - a).squaredNorm();
       area = std::max(area, std::abs(std::log(d.arrays.areaRatio[f] / (factor * factor))));
     }

@@ -51,7 +51,8 @@ TEST(IsometricElements, GradientAndWholeHessianAreDerivativesOfTheEnergy) {
     for (int k = 0; k < 6; ++k) unknowns(f, k) = 2 * mesh.faces()(f, k / 2) + k % 2;
   }
   ElementAssembly assembly(2 * mesh.vertexCount(), unknowns);
-  const Eigen::MatrixXd hessian = Eigen::MatrixXd(assembly.assemble(elements.hessians())).selfadjointView<Eigen::Lower>();
+  const Eigen::MatrixXd hessian =
+      Eigen::MatrixXd(assembly.assemble(elements.hessians())).selfadjointView<Eigen::Lower>();
   const double h = 1e-5;
   for (int i = 0; i < 2 * mesh.vertexCount(); i += 3) {
     Points2 ahead = image, behind = image;

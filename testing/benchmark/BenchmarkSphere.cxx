@@ -24,7 +24,8 @@ const SphereMesh& surface(std::int64_t which) {
   if (found != surfaces.end()) return found->second;
   const SurfaceFile file = readSurface(sharedData(kSurfaces[which]));
   const auto n = static_cast<Eigen::Index>(file.vertexCount()), m = static_cast<Eigen::Index>(file.faceCount());
-  TriangleMesh mesh(Eigen::Map<const Points3>(file.points.data(), n, 3), Eigen::Map<const Faces>(file.faces.data(), m, 3));
+  TriangleMesh mesh(Eigen::Map<const Points3>(file.points.data(), n, 3),
+                    Eigen::Map<const Faces>(file.faces.data(), m, 3));
   return surfaces.emplace(which, SphereMesh(std::move(mesh))).first->second;
 }
 

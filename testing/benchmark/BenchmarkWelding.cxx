@@ -33,7 +33,8 @@ const SphereMesh& mesh(std::int64_t which) {
   const auto found = meshes.find(which);
   if (found != meshes.end()) return found->second;
   const SurfaceFile file = readSurface(sharedData(kMeshes[which]));
-  const Points3 points = Eigen::Map<const Points3>(file.points.data(), static_cast<Eigen::Index>(file.vertexCount()), 3);
+  const Points3 points =
+      Eigen::Map<const Points3>(file.points.data(), static_cast<Eigen::Index>(file.vertexCount()), 3);
   const Faces faces = Eigen::Map<const Faces>(file.faces.data(), static_cast<Eigen::Index>(file.faceCount()), 3);
   return meshes.emplace(which, SphereMesh(TriangleMesh(points, faces))).first->second;
 }

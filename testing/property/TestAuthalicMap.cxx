@@ -45,7 +45,9 @@ Points2 hexagon() {
 std::vector<int> regionOf(const TriangleMesh& mesh) {
   std::vector<int> region;
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    if (((mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3 - Eigen::Vector3d(0.2, 0.1, 0)).head<2>().norm() < 0.35) {
+    if (((mesh.corner(f, 0) + mesh.corner(f, 1) + mesh.corner(f, 2)) / 3 - Eigen::Vector3d(0.2, 0.1, 0))
+            .head<2>()
+            .norm() < 0.35) {
       region.push_back(f);
     }
   }

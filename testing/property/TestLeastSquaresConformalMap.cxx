@@ -51,7 +51,8 @@ TEST(ConformalEnergy, IsTheDirichletEnergyLessTheArea) {
   EXPECT_NEAR(energy.area(image), signedFaceAreas(image, mesh.faces()).sum(), 1e-12);
   const SparseMatrix stiffness = cotangentStiffness(mesh);
   double dirichlet = 0;
-  for (int c = 0; c < 2; ++c) dirichlet += 0.5 * image.col(c).dot(stiffness.selfadjointView<Eigen::Lower>() * image.col(c));
+  for (int c = 0; c < 2; ++c)
+    dirichlet += 0.5 * image.col(c).dot(stiffness.selfadjointView<Eigen::Lower>() * image.col(c));
   EXPECT_NEAR(energy.dirichlet(image), dirichlet, 1e-12);
 }
 
@@ -84,7 +85,8 @@ TEST(LeastSquaresConformalMap, TakesTheFarthestBoundaryVerticesAsPins) {
   const LeastSquaresConformalMapResult result = leastSquaresConformalMap(disk);
   double farthest = 0;
   for (const int a : disk.boundary()) {
-    for (const int b : disk.boundary()) farthest = std::max(farthest, (disk.mesh().point(a) - disk.mesh().point(b)).norm());
+    for (const int b : disk.boundary())
+      farthest = std::max(farthest, (disk.mesh().point(a) - disk.mesh().point(b)).norm());
   }
   EXPECT_EQ((disk.mesh().point(result.firstPin) - disk.mesh().point(result.secondPin)).norm(), farthest);
 }
@@ -98,7 +100,8 @@ TEST(LeastSquaresConformalMap, CommutesWithSimilaritiesAndRenumbering) {
   Points3 points(mesh.vertexCount(), 3);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   for (int v = 0; v < mesh.vertexCount(); ++v) {
-    points.row(order[static_cast<std::size_t>(v)]) = 5 * (turn * mesh.point(v)).transpose() + Eigen::RowVector3d(1, 2, 3);
+    points.row(order[static_cast<std::size_t>(v)]) =
+        5 * (turn * mesh.point(v)).transpose() + Eigen::RowVector3d(1, 2, 3);
   }
   Faces faces = mesh.faces();
   for (Eigen::Index k = 0; k < faces.size(); ++k) faces.data()[k] = order[static_cast<std::size_t>(faces.data()[k])];
@@ -107,7 +110,8 @@ TEST(LeastSquaresConformalMap, CommutesWithSimilaritiesAndRenumbering) {
     const Points2 after = leastSquaresConformalMap(DiskMesh(TriangleMesh(points, faces)),
         withPins(pins, order[static_cast<std::size_t>(a)], order[static_cast<std::size_t>(b)])).image;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-      EXPECT_LT((after.row(order[static_cast<std::size_t>(v)]) - 5 * before.row(v)).norm(), 1e-6) << conformalPinsName(pins);
+      EXPECT_LT((after.row(order[static_cast<std::size_t>(v)]) - 5 * before.row(v)).norm(), 1e-6)
+          << conformalPinsName(pins);
     }
   }
 }

@@ -53,7 +53,8 @@ TEST(SphereMobius, KeepsCrossRatiosOfChords) {
   const SphereMobius f = someMap(0.9);
   const Points3 x = sphereMesh(1).points(), y = f(x);
   const auto ratio = [](const Points3& p) {
-    return (p.row(0) - p.row(2)).norm() * (p.row(7) - p.row(9)).norm() / ((p.row(0) - p.row(9)).norm() * (p.row(7) - p.row(2)).norm());
+    return (p.row(0) - p.row(2)).norm() * (p.row(7) - p.row(9)).norm() /
+           ((p.row(0) - p.row(9)).norm() * (p.row(7) - p.row(2)).norm());
   };
   EXPECT_NEAR(ratio(y) / ratio(x), 1, 1e-12);
 }
@@ -84,7 +85,8 @@ TEST(SphereCentring, ConvergesFromRandomClusters) {
     Eigen::VectorXd mass(60);
     for (int i = 0; i < 60; ++i) {
       const double spread = i < 40 ? 1e-3 : 1;  // two thirds of the points in one spot
-      x.row(i) = Eigen::RowVector3d(0, 0, 1) + spread * Eigen::RowVector3d(normal(random), normal(random), normal(random));
+      x.row(i) = Eigen::RowVector3d(0, 0, 1) +
+                 spread * Eigen::RowVector3d(normal(random), normal(random), normal(random));
       mass[i] = std::exp(normal(random));
     }
     x.rowwise().normalize();
@@ -128,7 +130,8 @@ TEST(SphereNormalisation, PutsTheSurfaceMassAtTheCentre) {
 TEST(SphereNormalisation, ForgetsAMobiusTransformation) {
   const TriangleMesh surface = lopsidedSphere(4);
   const Points3 image = surface.points().rowwise().normalized();
-  for (const SphereRotation rotation : {SphereRotation::Surface, SphereRotation::PrincipalAxes, SphereRotation::Landmarks}) {
+  for (const SphereRotation rotation :
+       {SphereRotation::Surface, SphereRotation::PrincipalAxes, SphereRotation::Landmarks}) {
     SphereNormalisationOptions options;
     options.rotation = rotation;
     if (rotation == SphereRotation::Landmarks) options.northVertex = 5, options.meridianVertex = 40;
@@ -158,7 +161,8 @@ TEST(SphereNormalisation, CommutesWithSimilaritiesAndRenumbering) {
   moved.rowwise() += Eigen::RowVector3d(10, -20, 30);
   const TriangleMesh similar(moved, surface.faces());
   const Points3 before = normaliseSphere(surface, image).image;
-  EXPECT_LT((normaliseSphere(similar, image).image - before * r.transpose()).norm(), 1e-9);  // it turns with the surface
+  EXPECT_LT((normaliseSphere(similar, image).image - before * r.transpose()).norm(),
+            1e-9);  // it turns with the surface
   SphereNormalisationOptions axes;
   axes.rotation = SphereRotation::PrincipalAxes;
   EXPECT_LT((normaliseSphere(similar, image, axes).image - normaliseSphere(surface, image, axes).image).norm(), 1e-9);
@@ -174,7 +178,8 @@ TEST(SphereNormalisation, CommutesWithSimilaritiesAndRenumbering) {
   Faces faces = surface.faces();
   for (Eigen::Index k = 0; k < faces.size(); ++k) faces.data()[k] = order[static_cast<std::size_t>(faces.data()[k])];
   const Points3 after = normaliseSphere(TriangleMesh(shuffled, faces), shuffledImage).image;
-  for (int v = 0; v < surface.vertexCount(); ++v) EXPECT_LT((after.row(order[static_cast<std::size_t>(v)]) - before.row(v)).norm(), 1e-9);
+  for (int v = 0; v < surface.vertexCount(); ++v)
+    EXPECT_LT((after.row(order[static_cast<std::size_t>(v)]) - before.row(v)).norm(), 1e-9);
 }
 
 TEST(SphereNormalisation, RefusesBadOptionsAndLandmarks) {

@@ -31,7 +31,8 @@ AuthalicMapOptions coarse() {
   return options;
 }
 
-void expectExact(const TriangleMesh& surface, const SphericalAuthalicMapResult& result, const Eigen::VectorXd& target = {}) {
+void expectExact(const TriangleMesh& surface, const SphericalAuthalicMapResult& result,
+                 const Eigen::VectorXd& target = {}) {
   EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << ' ' << result.vertexResidual;
   const SphericalDistortion distortion = measureSphericalDistortion(surface, result.image, target);
   EXPECT_LT(distortion.summary.vertexMaxAbsLog, 1e-9);
@@ -70,7 +71,8 @@ TEST(SphericalAuthalicMap, GivesAHemisphereFourTimesItsDensity) {
 TEST(SphericalAuthalicMap, TurnsWithTheSurface) {
   const TriangleMesh mesh = bumpySphere(3);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
-  const TriangleMesh turned((mesh.points() * turn.transpose() * 12.0).rowwise() + Eigen::RowVector3d(3, 4, 5), mesh.faces());
+  const TriangleMesh turned((mesh.points() * turn.transpose() * 12.0).rowwise() + Eigen::RowVector3d(3, 4, 5),
+                            mesh.faces());
   AuthalicMapOptions options;
   options.tolerance = 0.1;
   const Points3 one = sphericalAuthalicMap(SphereMesh(mesh), TargetMeasure(mesh), options).image;

@@ -82,7 +82,8 @@ TEST(SphericalConformalMap, AngleErrorIsAboveTheBoundOfTheAngleDefects) {
   Eigen::VectorXd defect = Eigen::VectorXd::Constant(mesh.vertexCount(), 360);
   for (int f = 0; f < mesh.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d a = mesh.corner(f, k), b = mesh.corner(f, (k + 1) % 3) - a, c = mesh.corner(f, (k + 2) % 3) - a;
+      const Eigen::Vector3d a = mesh.corner(f, k), b = mesh.corner(f, (k + 1) % 3) - a,
+                            c = mesh.corner(f, (k + 2) % 3) - a;
       defect[mesh.faces()(f, k)] -= std::atan2(b.cross(c).norm(), b.dot(c)) * 180 / M_PI;
     }
   }
@@ -112,7 +113,8 @@ TEST(SphericalConformalMap, CommutesWithRenumbering) {
     const Points3 before = sphericalConformalMap(SphereMesh(mesh), byRoad(road)).image;
     const Points3 after = sphericalConformalMap(SphereMesh(other.mesh), byRoad(road)).image;
     for (int v = 0; v < mesh.vertexCount(); ++v) {
-      EXPECT_LT((after.row(other.place[static_cast<std::size_t>(v)]) - before.row(v)).norm(), 1e-8) << sphereRoadName(road);
+      EXPECT_LT((after.row(other.place[static_cast<std::size_t>(v)]) - before.row(v)).norm(), 1e-8)
+          << sphereRoadName(road);
     }
   }
 }

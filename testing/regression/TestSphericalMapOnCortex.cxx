@@ -13,7 +13,8 @@ namespace {
 TriangleMesh readMesh(const std::string& path) {
   const SurfaceFile file = readSurface(path);
   const auto n = static_cast<Eigen::Index>(file.vertexCount()), m = static_cast<Eigen::Index>(file.faceCount());
-  return TriangleMesh(Eigen::Map<const Points3>(file.points.data(), n, 3), Eigen::Map<const Faces>(file.faces.data(), m, 3));
+  return TriangleMesh(Eigen::Map<const Points3>(file.points.data(), n, 3),
+                      Eigen::Map<const Faces>(file.faces.data(), m, 3));
 }
 
 /// Maps a surface; expects no folds, the mass centred, and at most this mean angle error (degrees).
@@ -37,7 +38,8 @@ TEST(SphericalConformalMap, OfTheBrainSphereKeepsAnglesToOneDegreeAndAQuarter) {
 }
 
 TEST(SphericalConformalMap, OfTemplateCorticesHasNoFolds) {
-  expectConformal("cortex/fsaverage5_gifti/pial_left.gii.gz", 2.11);  // the peer's; curvature at the vertices allows 0.81
+  expectConformal("cortex/fsaverage5_gifti/pial_left.gii.gz",
+                  2.11);  // the peer's; curvature at the vertices allows 0.81
   expectConformal("cortex/fsaverage6_fs/lh.pial", 1.3);
   expectConformal("cortex/fsaverage6_fs/rh.pial", 1.3);
 }

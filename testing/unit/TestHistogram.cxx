@@ -59,7 +59,8 @@ TEST(DistortionHistograms, StandInTheReportWhenGiven) {
   report.histograms = distortionHistograms(distortion.arrays);
   report.more.set("sphere", sphericalDistortionReport(distortion));
   const std::string text = mapReport(report).text(false);
-  EXPECT_NE(text.find("\"histograms\":{\"vertex_log_area_ratio\":{\"edges\":[-4.0,-3.9,"), std::string::npos) << text.substr(0, 900);
+  EXPECT_NE(text.find("\"histograms\":{\"vertex_log_area_ratio\":{\"edges\":[-4.0,-3.9,"), std::string::npos)
+      << text.substr(0, 900);
   EXPECT_NE(text.find("\"flipped_faces_by_volume\":0"), std::string::npos);
   EXPECT_LT(text.find("\"histograms\""), text.find("\"topology\""));
 }

@@ -41,7 +41,8 @@ class AreaFunctional {
   /// ∂a_t along the frames. O(m)
   [[nodiscard]] virtual Gradients gradients(const Coordinates& image, const Frames& frames) const = 0;
   /// image + t · displacement, back on the domain.
-  [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const = 0;
+  [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
+                                          double t) const = 0;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
   /// 0 for a folded face. Exact for straight motion; see moved().
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;

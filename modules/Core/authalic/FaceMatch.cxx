@@ -79,7 +79,8 @@ void FaceMatch::fillElement(Eigen::Index face) {
       const double* v = frames_.row(faces(face, b / 2)).data() + (b % 2) * dimension;
       double product = 0;
       for (Eigen::Index d = 0; d < dimension; ++d) product += u[d] * v[d];
-      *value = weights_[face] * gradients_(face, a) * gradients_(face, b) + damping_ * stiffness_[face] * (a / 2 == b / 2 ? product : -0.5 * product);
+      *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
+               damping_ * stiffness_[face] * (a / 2 == b / 2 ? product : -0.5 * product);
     }
   }
 }

@@ -52,7 +52,8 @@ double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displ
   const int a = faces()(face, 0), b = faces()(face, 1), c = faces()(face, 2);
   const auto edge = [](const Coordinates& x, int from, int to) { return Eigen::Vector2d(x.row(to) - x.row(from)); };
   const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) { return u[0] * v[1] - u[1] * v[0]; };
-  const Eigen::Vector2d e = edge(image, a, b), g = edge(image, a, c), d = edge(displacement, a, b), h = edge(displacement, a, c);
+  const Eigen::Vector2d e = edge(image, a, b), g = edge(image, a, c), d = edge(displacement, a, b),
+                        h = edge(displacement, a, c);
   return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 Eigen::Vector3d row(const Coordinates& x, int v) { return x.row(v).transpose(); }
 
-double determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) { return a.dot(b.cross(c)); }
+double determinant(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  return a.dot(b.cross(c));
+}
 
 // Derivative of the solid angle of a b c by a: tan(Ω/2) = N / D, with b × c from the edge at b.
 Eigen::Vector3d angleGradient(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -24,7 +26,9 @@ Eigen::Vector3d angleGradient(const Eigen::Vector3d& a, const Eigen::Vector3d& b
 SolidAngles::SolidAngles(const Faces& faces, int vertexCount)
     : AreaFunctional(faces, std::vector<char>(static_cast<std::size_t>(vertexCount), 2)) {}
 
-Eigen::VectorXd SolidAngles::areas(const Coordinates& image) const { return signedSolidAngles(Points3(image), faces()); }
+Eigen::VectorXd SolidAngles::areas(const Coordinates& image) const {
+  return signedSolidAngles(Points3(image), faces());
+}
 
 // Two tangents at every vertex; the axis that is farthest from the vertex decides the first.
 AreaFunctional::Frames SolidAngles::frames(const Coordinates& image) const {

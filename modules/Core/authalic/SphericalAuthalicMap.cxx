@@ -23,7 +23,8 @@ constexpr double kUsable = 2;         // |ln r| of the stars of an initial map t
 
 double farthestStar(const SphereMesh& sphere, const TargetMeasure& target, const Points3& image) {
   const Faces& faces = sphere.mesh().faces();
-  const Eigen::VectorXd stars = vertexStars(signedSolidAngles(image, faces) / (4 * M_PI), faces, sphere.mesh().vertexCount());
+  const Eigen::VectorXd stars =
+      vertexStars(signedSolidAngles(image, faces) / (4 * M_PI), faces, sphere.mesh().vertexCount());
   double farthest = 0;
   for (Eigen::Index v = 0; v < stars.size(); ++v) {
     farthest = std::max(farthest, std::abs(std::log(std::max(stars[v], 1e-300) / target.vertices()[v])));

@@ -11,7 +11,8 @@ struct SphericalAuthalicMapResult {
   Points3 image;                   ///< n×3 on the unit sphere; vertices in the order of the input
   Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
   int iterations = 0;              ///< steps of both kinds
-  double faceResidual = 0;         ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = solid angle share / target share
+  double faceResidual =
+      0;  ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = solid angle share / target share
   double vertexResidual = 0;       ///< max |ln r_v| of `image`
   int flippedFaces = 0;
   std::vector<AuthalicIteration> history;
@@ -32,8 +33,10 @@ struct SphericalAuthalicMapResult {
 /// start without
 ///         a fold was found; SolverError when a system cannot be factorised
 /// @cite zou2011 @cite su2019
-[[nodiscard]] SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const TargetMeasure& target,
+[[nodiscard]] SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere,
+                                                              const TargetMeasure& target,
                                                               const AuthalicMapOptions& options = {},
-                                                              const Points3& initial = {}, const Execution& execution = {});
+                                                              const Points3& initial = {},
+                                                              const Execution& execution = {});
 
 }  // namespace authalic

@@ -48,7 +48,8 @@ void VertexMatch::restart(const Coordinates& image) {
   const Eigen::VectorXd a = areas_.areas(image);
   mobility_ = Eigen::VectorXd::Zero(areas_.vertexCount());
   for (Eigen::Index f = 0; f < gradients.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) mobility_[areas_.faces()(f, k)] += gradients.row(f).segment<2>(2 * k).squaredNorm() / a[f];
+    for (int k = 0; k < 3; ++k)
+      mobility_[areas_.faces()(f, k)] += gradients.row(f).segment<2>(2 * k).squaredNorm() / a[f];
   }
   mobility_ = (mobility_.array() > 0).select(mobility_.array().max(1e-300).inverse(), 0.0);
 }
@@ -135,7 +136,8 @@ Coordinates VertexMatch::step(const Eigen::VectorXd& error) {
   for (int w = 0; w < areas_.vertexCount(); ++w) {
     for (int j = 0; j < areas_.freedom(w); ++j) {
       double sum = 0;
-      for (int i = starts_[at(w)]; i < starts_[at(w) + 1]; ++i) sum += jacobian_[2 * at(i) + at(j)] * multipliers[stars_[at(i)]];
+      for (int i = starts_[at(w)]; i < starts_[at(w) + 1]; ++i)
+        sum += jacobian_[2 * at(i) + at(j)] * multipliers[stars_[at(i)]];
       step[areas_.unknown(w, j)] = -mobility_[w] * sum;
     }
   }

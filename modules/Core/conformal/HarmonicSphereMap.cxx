@@ -82,7 +82,9 @@ class Descent {
     return std::lround(signedSolidAngles(map, faces_).sum() / (4 * M_PI));
   }
 
-  [[nodiscard]] Iterate along(double length) const { return at((now_.map + length * direction_).rowwise().normalized()); }
+  [[nodiscard]] Iterate along(double length) const {
+    return at((now_.map + length * direction_).rowwise().normalized());
+  }
 
   // Enough by Armijo's rule; where the energy is flat to rounding, not to rise is enough.
   [[nodiscard]] bool lowers(const Iterate& next, double expected) const {

@@ -17,8 +17,8 @@ struct HarmonicSphereMapOptions {
   void validate() const;
 };
 
-/// Minimises the harmonic energy E(f) = ½ Σ_ij w_ij |f_i − f_j|² over maps to the unit sphere @cite gu2004: a harmonic
-/// map of degree 1 between topological spheres is conformal.
+/// Minimises the harmonic energy E(f) = ½ Σ_ij w_ij |f_i − f_j|² over maps to the unit sphere @cite gu2004: a
+/// harmonic map of degree 1 between topological spheres is conformal.
 ///
 /// At the minimum the tangential part of Lf vanishes at every vertex. Gradient descent needs thousands of steps; here
 /// the gradient is taken in the H¹ metric, d = −L⁺ P Lf (P: onto the tangent planes), and conjugated (Polak–Ribière):
@@ -29,9 +29,9 @@ struct HarmonicSphereMapOptions {
 ///
 /// @param start  n×3 on the unit sphere, of degree 1. From a start with few folds (stereographicSphereMap) the energy
 ///               unfolds the map; from a far one (gaussSphereMap) it takes some more steps.
-/// Guarantees: the energy never rises, and the degree (how often the image covers the sphere) never changes from step to
-/// step: where the faces are too coarse to hold a conformal map, the descent ends as Stalled. Faces may fold where cotangent
-/// weights are negative → `flippedFaces`. `history`: the relative residual.
+/// Guarantees: the energy never rises, and the degree (how often the image covers the sphere) never changes from
+/// step to step: where the faces are too coarse to hold a conformal map, the descent ends as Stalled. Faces may
+/// fold where cotangent weights are negative → `flippedFaces`. `history`: the relative residual.
 /// Complexity: one factorisation, one solve of three columns per iteration.
 /// @throws InvalidArgument when an option is bad
 /// @throws GeometryError   when the start is not on the sphere or has another number of points

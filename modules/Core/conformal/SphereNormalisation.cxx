@@ -91,9 +91,11 @@ void SphereNormalisationOptions::validate() const {
   const bool given = northVertex >= 0 && meridianVertex >= 0 && northVertex != meridianVertex;
   const bool needed = rotation == SphereRotation::Landmarks;
   if (needed ? !given : northVertex != -1 || meridianVertex != -1) {
-    throw InvalidArgument("Two different landmark vertices are required with the rotation 'landmarks' and none with any "
-                          "other, but with '" + std::string(sphereRotationName(rotation)) + "' they are " +
-                          std::to_string(northVertex) + " and " + std::to_string(meridianVertex) + ".");
+    throw InvalidArgument(
+        "Two different landmark vertices are required with the rotation 'landmarks' and none with any "
+        "other, but with '" +
+        std::string(sphereRotationName(rotation)) + "' they are " + std::to_string(northVertex) + " and " +
+        std::to_string(meridianVertex) + ".");
   }
 }
 

@@ -130,8 +130,9 @@ int mostRegularFace(const TriangleMesh& surface) {
 
 void StereographicSphereMapOptions::validate() const {
   if (puncturedFace < -1 || !(correctedShare >= 0) || !(correctedShare < 1)) {
-    throw InvalidArgument("A punctured face of at least -1 and a corrected share in [0, 1) are required, but they are " +
-                          std::to_string(puncturedFace) + " and " + std::to_string(correctedShare) + ".");
+    throw InvalidArgument(
+        "A punctured face of at least -1 and a corrected share in [0, 1) are required, but they are " +
+        std::to_string(puncturedFace) + " and " + std::to_string(correctedShare) + ".");
   }
   if (!SparseSolver::available(solver)) {
     throw InvalidArgument("A solver that is part of this build is required, but " +

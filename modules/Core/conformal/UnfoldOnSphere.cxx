@@ -72,7 +72,8 @@ std::vector<std::vector<int>> patchesOf(const SphereMesh& sphere, const std::vec
 // One patch, flattened.
 class Patch {
  public:
-  Patch(const SphereMesh& sphere, const Points3& image, const std::vector<int>& patchFaces, const std::vector<char>& marked)
+  Patch(const SphereMesh& sphere, const Points3& image, const std::vector<int>& patchFaces,
+        const std::vector<char>& marked)
       : faces_(static_cast<Eigen::Index>(patchFaces.size()), 3) {
     const Faces& all = sphere.mesh().faces();
     for (const int f : patchFaces) {

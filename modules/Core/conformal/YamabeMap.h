@@ -43,11 +43,12 @@ struct YamabeMapResult {
 
 /// Runs the flow on a disk and develops the flat metric into the plane.
 ///
-/// With a circle this is the RiemannMap before its Möbius normalisation, in the surface's own scale. A prescribed boundary
-/// may make the image overlap itself: curvature says how the boundary turns, not where it goes.
+/// With a circle this is the RiemannMap before its Möbius normalisation, in the surface's own scale. A prescribed
+/// boundary may make the image overlap itself: curvature says how the boundary turns, not where it goes.
 /// Not guaranteed: no folded face (→ flippedFaces); an image without overlap. Complexity: that of the flow.
 /// When cancelled, the image is empty and the status says so. @cite su2016 @cite springborn2008
-/// @throws InvalidArgument when K̄ does not vanish inside, is not admissible (see yamabeFlow), or an option is out of range;
+/// @throws InvalidArgument when K̄ does not vanish inside, is not admissible (see yamabeFlow), or an option is out
+/// of range;
 ///         GeometryError; SolverError
 [[nodiscard]] YamabeMapResult yamabeMap(const DiskMesh& disk, const YamabeMapOptions& options = {},
                                         const Execution& execution = {});

@@ -26,7 +26,8 @@ struct Histogram {
 /// @param values  any shape, NaN allowed
 /// @param bins    at least 1
 /// @throws InvalidArgument when there is no bin, or the limits are not finite and rising
-[[nodiscard]] Histogram histogramOf(const Eigen::Ref<const Eigen::VectorXd>& values, double lower, double upper, int bins);
+[[nodiscard]] Histogram histogramOf(const Eigen::Ref<const Eigen::VectorXd>& values, double lower,
+                                    double upper, int bins);
 
 /// The histograms of every report, over fixed bins, so that those of different maps can be laid over each other.
 struct DistortionHistograms {

@@ -36,7 +36,8 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 struct Shares {
   Eigen::VectorXd surface, target, image;  ///< total 1 each; image signed, its absolute values have total 1
-  double scale;  ///< of the flat image triangles, so that their total area is that of the surface; 0 when they have none
+  double scale;  ///< of the flat image triangles, so that their total area is that of the surface; 0 when
+                 ///< they have none
   double sign;   ///< orientation of the majority of image faces
 };
 

@@ -55,7 +55,8 @@ void requireOnUnitSphere(const Points3& points) {
     const double radius = points.row(i).norm();
     if (std::abs(radius - 1) <= kOnSphere) continue;
     throw GeometryError("Points on the unit sphere (to 1e-6) are required, but point " + std::to_string(i) +
-                        " lies at distance " + std::to_string(radius) + " from the origin; divide by the radius first.");
+                        " lies at distance " + std::to_string(radius) +
+                        " from the origin; divide by the radius first.");
   }
 }
 

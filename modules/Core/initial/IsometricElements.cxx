@@ -124,10 +124,11 @@ void IsometricElements::lineariseFace(const Points2& image, bool projected, Eige
   gradients_.row(f) = shares_[f] * (by1 * stretch1 + by2 * stretch2);
   const double flip = 2 + 2 * (s1 * s1 + product + s2 * s2) / cubed;
   const double twist = 2 - 2 * (s1 * s1 - product + s2 * s2) / cubed;
-  const std::array<std::pair<double, Row6>, 4> modes{{{2 + 6 / (s1 * s1 * s1 * s1), stretch1},
-                                                      {2 + 6 / (s2 * s2 * s2 * s2), stretch2},
-                                                      {0.5 * flip, lower + upper},
-                                                      {0.5 * (projected ? std::max(0.0, twist) : twist), lower - upper}}};
+  const std::array<std::pair<double, Row6>, 4> modes{
+      {{2 + 6 / (s1 * s1 * s1 * s1), stretch1},
+       {2 + 6 / (s2 * s2 * s2 * s2), stretch2},
+       {0.5 * flip, lower + upper},
+       {0.5 * (projected ? std::max(0.0, twist) : twist), lower - upper}}};
   double* value = &hessians_[static_cast<std::size_t>(21 * f)];
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++value) {

@@ -94,7 +94,8 @@ class SpectralProblem {
     const Eigen::MatrixXd solution = solver_.solve(right);
     block_.real() = solution.topRows(n_);
     block_.imag() = solution.bottomRows(n_);
-    for (Eigen::Index k = 0; k < block_.cols(); ++k) block_.col(k).array() -= length_.cast<Complex>().dot(block_.col(k));
+    for (Eigen::Index k = 0; k < block_.cols(); ++k)
+      block_.col(k).array() -= length_.cast<Complex>().dot(block_.col(k));
     rotateToRitzVectors();
     // The phase of an eigenvector is free: compare after the best rotation.
     const Complex overlap = before.dot(length_.asDiagonal() * block_.col(0));
@@ -155,8 +156,9 @@ class SpectralProblem {
   Eigen::MatrixXcd block_;
 };
 
-Points2 solveSpectral(const DiskMesh& disk, const ConformalEnergy& energy, const LeastSquaresConformalMapOptions& options,
-                      const Execution& execution, LeastSquaresConformalMapResult& result) {
+Points2 solveSpectral(const DiskMesh& disk, const ConformalEnergy& energy,
+                      const LeastSquaresConformalMapOptions& options, const Execution& execution,
+                      LeastSquaresConformalMapResult& result) {
   SpectralProblem problem(disk, energy, options.solver);
   result.status = Status::NotConverged;
   while (result.iterations < options.maxIterations && result.status == Status::NotConverged) {
@@ -194,7 +196,8 @@ const char* conformalPinsName(ConformalPins pins) noexcept {
 }
 
 void LeastSquaresConformalMapOptions::validate() const {
-  if ((firstPin < 0) != (secondPin < 0) || firstPin < -1 || secondPin < -1 || (firstPin >= 0 && firstPin == secondPin)) {
+  if ((firstPin < 0) != (secondPin < 0) || firstPin < -1 || secondPin < -1 ||
+      (firstPin >= 0 && firstPin == secondPin)) {
     throw InvalidArgument("Two different pins, or none (-1 twice), are required, but they are " +
                           std::to_string(firstPin) + " and " + std::to_string(secondPin) + ".");
   }

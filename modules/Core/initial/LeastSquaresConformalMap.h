@@ -33,7 +33,7 @@ struct LeastSquaresConformalMapOptions {
 };
 
 struct LeastSquaresConformalMapResult {
-  Points2 image;                   ///< n×2, mm: area that of the surface, centroid 0, second pin to the right of the first
+  Points2 image;  ///< n×2, mm: area that of the surface, centroid 0, second pin to the right of the first
   Status status = Status::NotRun;  ///< NotConverged: the eigenvector had not settled
   int iterations = 0;              ///< Spectral
   std::vector<double> history;     ///< Spectral: change per iteration

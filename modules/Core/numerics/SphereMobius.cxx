@@ -55,8 +55,9 @@ void requireMasses(const Points3& points, const Eigen::VectorXd& masses) {
   }
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     if (std::abs(points.row(i).norm() - 1) <= 1e-6) continue;
-    throw GeometryError("Points on the unit sphere are required, but point " + std::to_string(i) + " lies at distance " +
-                        std::to_string(points.row(i).norm()) + " from the origin; divide by the radius first.");
+    throw GeometryError("Points on the unit sphere are required, but point " + std::to_string(i) +
+                        " lies at distance " + std::to_string(points.row(i).norm()) +
+                        " from the origin; divide by the radius first.");
   }
 }
 
@@ -86,7 +87,8 @@ SphereMobius::SphereMobius(const Eigen::Vector3d& centre, const Eigen::Matrix3d&
   }
   const bool orthogonal = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-9;
   if (!orthogonal || !(rotation.determinant() > 0)) {
-    throw GeometryError("A rotation (orthogonal, determinant 1) is required for a Möbius transformation of the sphere.");
+    throw GeometryError(
+        "A rotation (orthogonal, determinant 1) is required for a Möbius transformation of the sphere.");
   }
 }
 
