@@ -11,7 +11,7 @@ class vtkPolyData;
 namespace authalic {
 
 /// Method, status, residuals, seconds, and the members and field data FaceResidual and VertexResidual.
-/// @param Result  AuthalicMapResult or SphericalAuthalicMapResult
+/// @tparam Result  AuthalicMapResult or SphericalAuthalicMapResult
 template <class Result>
 [[nodiscard]] MapReport describeAuthalicMap(const Result& result, vtkPolyData* map);
 

@@ -20,7 +20,7 @@ void requireImagePerVertex(const TriangleMesh& surface, Eigen::Index imagePoints
 /// Orientation of the majority of faces, +1 or −1.
 [[nodiscard]] double majoritySign(const Eigen::VectorXd& signedAreas);
 
-/// Distortion::arrays and ::summary of an image; see measureDistortion for parameters and exceptions.
+/// Arrays and summary of an image; see measureDistortion for parameters and exceptions.
 [[nodiscard]] Distortion measureImage(const TriangleMesh& surface, const MeasuredImage& image,
                                       const Eigen::VectorXd& target);
 
