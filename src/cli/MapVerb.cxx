@@ -141,7 +141,7 @@ std::string meanings(const MapOptions& o, const std::string& option) {
 void declareShared(CLI::App* verb, MapOptions& o) {
   verb->add_option("--domain", o.shared.domain,
                    "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
-                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit).")
+                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1).")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
