@@ -101,7 +101,8 @@ TEST(SphericalAuthalicMap, ReturnsAnUnfoldedIterateWhenCancelled) {
   bool solving = false;
   const Execution execution([&](double, std::string_view stage) { solving = solving || stage == "Matching faces"; },
                             [&] { return solving; });
-  const SphericalAuthalicMapResult result = sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), {}, {}, execution);
+  const SphericalAuthalicMapResult result =
+      sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), {}, {}, execution);
   EXPECT_EQ(result.status, Status::Cancelled);
   EXPECT_EQ(countFlippedOnSphere(result.image, sphere.mesh().faces()), 0);
 }

@@ -2,6 +2,8 @@
 /// The one place where the distortion of a map is computed, whatever its image lies on. Private to distortion/.
 #pragma once
 
+#include <vector>
+
 #include "Core/base/Arrays.h"
 #include "Core/distortion/Distortion.h"
 
@@ -12,6 +14,7 @@ struct MeasuredImage {
   Points3 points;             ///< n×3; planar images have z = 0
   Eigen::VectorXd areas;      ///< m signed areas that are compared with the target shares
   Eigen::VectorXd flatAreas;  ///< m signed areas of the flat image triangles, from which angles are taken
+  std::vector<int> originals = {};  ///< n vertices of the surface before it was cut; empty when it was not
 };
 
 /// @throws GeometryError unless there is one image point per vertex
