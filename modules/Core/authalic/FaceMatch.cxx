@@ -6,7 +6,7 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestRatio = 1e-4;   // of face areas, in the weights
+constexpr double kSmallestRatio = 1e-3;   // of face areas, in the weights
 constexpr double kSmallestDamping = 3e-4;  // less buys the last errors with slides along curves of equal area
 constexpr double kPinned = 0.25;          // of the step: faces that collapse before twice this are slowed by themselves
 constexpr double kMarginToFlip = 0.9;
