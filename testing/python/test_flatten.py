@@ -63,7 +63,15 @@ class Results(unittest.TestCase):
             self.assertTrue(np.array_equal(result.points, points) and np.array_equal(result.faces, faces), method)
             self.assertTrue(result.converged, method)
             self.assertEqual(result.metrics["flipped_faces"], 0, method)
-            self.assertEqual(result.report["method"], method)
+            self.assertIn(result.report["method"], method)
+
+    def test_the_authalic_map_gives_every_vertex_exactly_its_share(self):
+        points, faces = bumpy_disk()
+        corners = points[faces]
+        native = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        own = shares(authalic.flatten(points, faces).image, faces)
+        stars = [np.bincount(faces.ravel(), np.repeat(areas / areas.sum(), 3)) for areas in (own, native)]
+        self.assertLess(np.abs(np.log(stars[0] / stars[1])).max(), 1e-9)
 
     def test_the_lie_flow_preserves_areas_where_the_harmonic_map_does_not(self):
         points, faces = bumpy_disk()
@@ -77,11 +85,11 @@ class Results(unittest.TestCase):
 
     def test_has_the_bits_of_the_filter(self):
         points, faces = bumpy_disk()
-        result = authalic.flatten(points, faces, domain="square", tolerance=1e-3)
-        flow = authalic.vtkDiscreteLieFlow()
+        result = authalic.flatten(points, faces, domain="square", tolerance=0.02)
+        flow = authalic.vtkAuthalicMap()
         flow.SetInputData(authalic.Surface(points, faces).to_vtk())
         flow.SetDomainToSquare()
-        flow.SetTolerance(1e-3)
+        flow.SetTolerance(0.02)
         flow.Update()
         again = authalic.SurfaceMap.from_filter(flow)
         self.assertTrue(np.array_equal(result.image, again.image))
@@ -94,12 +102,12 @@ class Results(unittest.TestCase):
             self.skipTest(f"{command} is not there")
         with tempfile.TemporaryDirectory() as here:
             disk, image = str(DATA / "bumpy_disk.off"), f"{here}/map.vtp"
-            subprocess.run([str(command), "map", "lie-flow", disk, "-o", image, "--quiet"], check=True)
+            subprocess.run([str(command), "map", "authalic", disk, "-o", image, "--quiet"], check=True)
             self.assertTrue(np.array_equal(authalic.read_surface(image).points[:, :2],
                                            authalic.flatten(authalic.read_surface(disk)).image))
 
     def test_options_left_out_have_the_defaults_of_the_filter(self):
-        flow = authalic.vtkDiscreteLieFlow()
+        flow = authalic.vtkAuthalicMap()
         report = authalic.flatten(*bumpy_disk()).report["options"]
         self.assertEqual(report["tolerance"], flow.GetTolerance())
         self.assertEqual(report["max_iterations"], flow.GetMaximumIterations())
@@ -127,7 +135,7 @@ class Results(unittest.TestCase):
         inside = np.linalg.norm(points[:, :2] - points[:, :2].mean(axis=0), axis=1) < np.ptp(points[:, 0]) / 6
         for measure, chosen in ((np.where(inside, 4.0, 1.0), inside[faces].all(axis=1)),
                                 (np.where(inside[faces].all(axis=1), 4.0, 1.0), inside[faces].all(axis=1))):
-            plain, larger = (shares(authalic.flatten(points, faces, measure=m).image, faces)[chosen].sum()
+            plain, larger = (shares(authalic.flatten(points, faces, measure=m, tolerance=0.03).image, faces)[chosen].sum()
                              for m in (None, measure))
             self.assertGreater(larger, 2.5 * plain)
 
@@ -196,8 +204,9 @@ class Failures(unittest.TestCase):
         self.refuses(authalic.InvalidArgument, "threads", threads=-1)
         self.refuses(authalic.InvalidArgument, "tutte", method="tutte", tolerance=0.1)
         self.refuses(authalic.InvalidArgument, "stepratio", stepratio=0.1)
-        self.refuses(authalic.InvalidArgument, "step_ratio", step_ratio="much")
-        self.refuses(authalic.InvalidArgument, "unfold", finish="later")
+        self.refuses(authalic.InvalidArgument, "step_ratio", step_ratio=0.1)
+        self.refuses(authalic.InvalidArgument, "step_ratio", method="lie-flow", step_ratio="much")
+        self.refuses(authalic.InvalidArgument, "unfold", method="lie-flow", finish="later")
         self.refuses(authalic.InvalidArgument, "harmonic", initial="nowhere")
         self.refuses(authalic.InvalidArgument, "initial", initial=np.zeros((3, 2)))
         self.refuses(authalic.InvalidArgument, "initial", method="tutte", initial="harmonic")
@@ -232,7 +241,7 @@ class Failures(unittest.TestCase):
         self.refuses(authalic.SurfaceError, faces=np.concatenate([faces, faces[:1]]))
 
     def test_not_converged_is_a_warning_an_exception_with_the_result_or_nothing(self):
-        few = dict(max_iterations=1, max_finish_iterations=0, tolerance=1e-9)
+        few = dict(max_iterations=1, tolerance=1e-9)
         with self.assertWarns(authalic.NotConvergedWarning) as caught:
             result = authalic.flatten(*bumpy_disk(), **few)
         self.assertEqual(result.status, "not-converged")
@@ -259,7 +268,7 @@ class Stopping(unittest.TestCase):
         fractions = [fraction for fraction, _ in seen]
         self.assertEqual(fractions, sorted(fractions))
         self.assertEqual(fractions[-1], 1.0)
-        self.assertIn("Discrete Lie flow", {stage for _, stage in seen})
+        self.assertIn("Matching faces", {stage for _, stage in seen})
 
     def test_progress_that_returns_false_cancels(self):
         calls = []
@@ -279,7 +288,7 @@ class Stopping(unittest.TestCase):
             authalic.flatten(*bumpy_disk(), progress=fail)
 
     def test_no_filter_is_left_behind(self):
-        made, gone, original = [], [], _classes.vtkDiscreteLieFlow
+        made, gone, original = [], [], _classes.vtkAuthalicMap
 
         def make():
             made.append(1)
@@ -287,12 +296,12 @@ class Stopping(unittest.TestCase):
             algorithm.AddObserver("DeleteEvent", lambda *_: gone.append(1))
             return algorithm
         try:
-            _classes.vtkDiscreteLieFlow = make
+            _classes.vtkAuthalicMap = make
             authalic.flatten(*bumpy_disk(), progress=lambda *_: None)
             with self.assertRaises(authalic.SurfaceError):
                 authalic.flatten(authalic.read_surface(DATA / "torus.off"))
         finally:
-            _classes.vtkDiscreteLieFlow = original
+            _classes.vtkAuthalicMap = original
         self.assertGreater(len(made), 1)
         self.assertEqual(len(gone), len(made))
 
@@ -314,6 +323,10 @@ class Stopping(unittest.TestCase):
             signal.signal(signal.SIGINT, handler)
 
 
+# Their output is cut open: it has other vertices than the input, which flatten() promises to keep.
+OTHERS = ["vtkToroidalAuthalicMap"]
+
+
 class Documentation(unittest.TestCase):
     def test_signature_and_docstring_name_every_parameter(self):
         signature = inspect.signature(authalic.flatten)
@@ -331,7 +344,7 @@ class Documentation(unittest.TestCase):
                 is_map = getattr(authalic, name)().IsA("vtkSurfaceMapAlgorithm")
             except (TypeError, NotImplementedError):  # abstract
                 continue
-            self.assertEqual(name in filters, bool(is_map), name)
+            self.assertEqual(name in filters, bool(is_map) and name not in OTHERS, name)
 
     def test_every_line_of_the_table_of_methods_makes_a_filter(self):
         for name, method in _maps.METHODS.items():

@@ -15,6 +15,8 @@ constexpr double kPinned = 0.1;         // a vertex step shorter than this leads
 constexpr double kEnough = 0.4;        // of the tolerance: vertex steps disturb the faces
 constexpr double kPlenty = 0.2;         // of the tolerance: until then face steps go on while they are worth their time
 constexpr double kWorthwhile = 0.92;    // factor of the residual in one face step
+constexpr double kNearlyEnough = 0.8;   // of the tolerance: vertex steps are tried when face steps get slow
+constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 
@@ -71,6 +73,7 @@ class AreaSolver {
         return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
       };
       if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal) break;
+      if (slower(kSlowSteps / 2, kGettingSlow) && residuals.back() <= kNearlyEnough * goal) break;
       if (slower(kSlowSteps, kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;

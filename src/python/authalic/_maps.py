@@ -30,7 +30,9 @@ METHODS: dict[str, Method] = {
     "tutte": Method("vtkBarycentricMap", {"method": "tutte"}),
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
+    "authalic": Method("vtkAuthalicMap"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
+    "spherical-authalic": Method("vtkSphericalAuthalicMap", surface="sphere"),
 }
 
 
@@ -95,7 +97,7 @@ def methods() -> dict[str, dict[str, Any]]:
 
 def flatten(points: Any,
             faces: Any = None,
-            method: str = "lie-flow",
+            method: str = "authalic",
             domain: Any = None,
             measure: Any = None,
             initial: Any = None,
@@ -109,9 +111,11 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
-    method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
-                "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
+                Most methods need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+    method      "authalic": preserves areas exactly at every vertex, or gives every region the share that `measure`
+                asks for; "lie-flow": the same, approximately, also on polygons that are not convex;
+                "tutte", "harmonic", "mean-value": barycentric maps; "spherical-authalic": of a closed surface of
+                genus 0 to the sphere; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
                 corners of a polygon, (k, 2)
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
@@ -143,7 +147,7 @@ def flatten(points: Any,
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
-    _set_initial(algorithm, method, mesh, initial)
+    _set_initial(algorithm, method, mesh, initial, domain)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -204,11 +208,15 @@ def _set_measure(algorithm, method, mesh, measure):
     algorithm.SetMeasureArrayName("Measure")
 
 
-def _set_initial(algorithm, method, mesh, initial):
+def _set_initial(algorithm, method, mesh, initial, domain):
     if initial is None:
         return
     if isinstance(initial, str) and hasattr(algorithm, "SetInitialMethod"):
         return _filters.configure(algorithm, initial_method=initial)
+    if isinstance(initial, str) and hasattr(algorithm, "SetDomain"):
+        if initial not in ("tutte", "harmonic", "mean-value"):
+            raise InvalidArgument(f"initial must be tutte, harmonic, mean-value or a map; it is {initial!r}.")
+        initial = flatten(mesh, method=initial, domain=domain)
     if algorithm.GetNumberOfInputPorts() < 2:
         raise InvalidArgument(f"Method {method} does not start from a map; leave initial out.")
     image = _arrays.coordinates(getattr(initial, "image", initial), "initial")
