@@ -73,6 +73,14 @@ class Results(unittest.TestCase):
         stars = [np.bincount(faces.ravel(), np.repeat(areas / areas.sum(), 3)) for areas in (own, native)]
         self.assertLess(np.abs(np.log(stars[0] / stars[1])).max(), 1e-9)
 
+    def test_the_domain_sphere_makes_the_spherical_map_of_authalic(self):
+        ball = authalic.read_surface(DATA / "folded_sphere.off")
+        result = authalic.flatten(ball, domain="sphere", tolerance=0.03)
+        self.assertTrue(np.array_equal(result.image,
+                                       authalic.flatten(ball, method="spherical-authalic", tolerance=0.03).image))
+        self.assertLess(np.abs(np.linalg.norm(result.image, axis=1) - 1).max(), 1e-12)
+        self.assertLess(np.abs(result.point_arrays["VertexAreaDistortion"]).max(), 1e-9)
+
     def test_the_lie_flow_preserves_areas_where_the_harmonic_map_does_not(self):
         points, faces = bumpy_disk()
         corners = points[faces]
@@ -193,7 +201,7 @@ class Failures(unittest.TestCase):
 
     def test_options_out_of_range_unknown_or_of_another_method(self):
         self.refuses(authalic.InvalidArgument, "lie-flow", method="no-method")
-        self.refuses(authalic.InvalidArgument, "disk", domain="sphere")
+        self.refuses(authalic.InvalidArgument, "disk", domain="sphere", method="lie-flow")
         self.refuses(authalic.InvalidArgument, "aspect", domain="rectangle")
         self.refuses(authalic.InvalidArgument, "aspect", domain=("rectangle",))
         self.refuses(authalic.InvalidArgument, domain=("rectangle", -1.0))
