@@ -17,7 +17,7 @@
 namespace authalic {
 namespace {
 
-constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
+constexpr double kWithinSight = 0.2;  // mean |ln r| of the stars, from where face steps converge
 constexpr double kUsable = 2;         // the same for a given initial map, which is then not balanced
 
 void require(bool condition, const std::string& required, double found) {

@@ -7,7 +7,6 @@ namespace authalic {
 namespace {
 
 constexpr double kSmallestRatio = 1e-3;   // of face areas, in the weights
-constexpr double kSmallestDamping = 3e-4;  // less buys the last errors with slides along curves of equal area
 constexpr double kPinned = 0.25;          // of the step: faces that collapse before twice this are slowed by themselves
 constexpr double kMarginToFlip = 0.9;
 constexpr double kCollapsesEarly = 1.5;  // of a step: faces that collapse before it get stiffer
@@ -47,6 +46,11 @@ double FaceMatch::energy(const Coordinates& image) const {
 }
 
 double FaceMatch::residual(const Coordinates& image) const { return std::sqrt(energy(image)); }
+
+double FaceMatch::meanAbsLog(const Coordinates& image) const {
+  const Eigen::VectorXd a = areas_.areas(image);
+  return (a.array() / (a.sum() * targets_.array())).log().abs().mean();
+}
 
 void FaceMatch::linearise(const Coordinates& image) {
   frames_ = areas_.frames(image);
@@ -113,7 +117,7 @@ void FaceMatch::stiffen(const Coordinates& image, const Coordinates& displacemen
 
 void FaceMatch::adapt(double step) {
   failures_ = step > 0 ? 0 : failures_ + 1;
-  damping_ = std::max(kSmallestDamping, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
+  damping_ = std::max(leastDamping_, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
 }
 
 double FaceMatch::advance(Coordinates& image) {
