@@ -58,6 +58,7 @@ class MapFamily {
 
 [[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> lieAdvectionFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> authalicFamily();
 
 /// Whether an option that takes a name or a file was given a file.

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(barycentricFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
+  families.push_back(lieAdvectionFamily());
   return families;
 }
 

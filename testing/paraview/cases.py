@@ -22,6 +22,7 @@ CASES = [
     ("rectangle", "BarycentricMap", DISK, {"Domain": 2, "Aspect": 3.0}),
     ("polygon", "BarycentricMap", DISK, {"Domain": 3, "PolygonCorner": [(0, 0), (4, 0), (0, 5)]}),
     ("flow", "DiscreteLieFlow", DISK, {}),
+    ("advected", "LieAdvection", DISK, {"NumberOfSteps": 10, "Domain": 1}),
     ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
     ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2}),
     ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),

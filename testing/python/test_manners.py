@@ -35,6 +35,10 @@ def ball():
     return with_arrays(surface, {"MedialWall": (surface.points[:, 2] < -20).astype(np.uint8)}).to_vtk()
 
 
+def ring():
+    return with_arrays(authalic.read_surface(DATA / "torus.off")).to_vtk()
+
+
 def with_arrays(surface, more=None):
     n, m = len(surface.points), len(surface.faces)
     return dataclasses.replace(surface, point_arrays={"Kept": np.arange(n) * 0.5, **(more or {})},
@@ -87,6 +91,8 @@ CORNER = {"AddPolygonCorner": (1.0, 2.0)}
 CASES = {
     "vtkBarycentricMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkDiscreteLieFlow": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkLieAdvection": Case((disk,), {"NumberOfSteps": 5}, wrong=(0, ball), adders=CORNER),
+    "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

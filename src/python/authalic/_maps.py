@@ -31,6 +31,7 @@ METHODS: dict[str, Method] = {
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
     "lie-flow": Method("vtkDiscreteLieFlow"),
+    "lie-advection": Method("vtkLieAdvection"),
 }
 
 
