@@ -26,6 +26,8 @@ CASES = [
     ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
     ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2}),
     ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),
+    ("exact", "AuthalicMap", DISK, {"Tolerance": 0.02}),
+    ("exactsquare", "AuthalicMap", DISK + [("InitialMap", "square", 0)], {"Domain": 1}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),
     ("t1", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_t1.nii.gz"}),

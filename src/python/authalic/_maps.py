@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere" or "annulus"."""
+    topology of surface that it takes: "disk", "sphere", "torus" or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -30,6 +30,9 @@ METHODS: dict[str, Method] = {
     "tutte": Method("vtkBarycentricMap", {"method": "tutte"}),
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
+    "authalic": Method("vtkAuthalicMap"),
+    "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
+    "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
 }
@@ -40,7 +43,7 @@ class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
     image         (n, 2) in the plane, or (n, 3) on the sphere
-    points, faces the surface that was mapped, in its own order
+    points, faces the surface that was mapped, in its own order; cut open for a torus (point_arrays["OriginalPointIds"])
     status        "converged", "not-converged", "stalled" or "cancelled"
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
@@ -96,7 +99,7 @@ def methods() -> dict[str, dict[str, Any]]:
 
 def flatten(points: Any,
             faces: Any = None,
-            method: str = "lie-flow",
+            method: str = "authalic",
             domain: Any = None,
             measure: Any = None,
             initial: Any = None,
@@ -110,8 +113,10 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
-    method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
+                Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+    method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
+                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
                 corners of a polygon, (k, 2)
