@@ -15,6 +15,9 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
   families.push_back(lieAdvectionFamily());
+  families.push_back(conformalFlowFamily());
+  families.push_back(leastSquaresConformalFamily());
+  families.push_back(symmetricDirichletFamily());
   return families;
 }
 
@@ -140,9 +143,11 @@ std::string meanings(const MapOptions& o, const std::string& option) {
 }
 
 void declareShared(CLI::App* verb, MapOptions& o) {
-  verb->add_option("--domain", o.shared.domain,
-                   "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
-                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1).")
+  verb->add_option(
+          "--domain", o.shared.domain,
+          "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
+          "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
+          "annulus, circle-domain, free.")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
@@ -152,7 +157,9 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--initial", o.shared.initial, meanings(o, "--initial"))->type_name("METHOD|MAP.vtp"),
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
-          ->type_name("N")->check(notNegative())};
+          ->type_name("N")->check(notNegative()),
+      verb->add_flag("--no-unfold", o.shared.noUnfold,
+                     "Leave folded faces as they are. " + meanings(o, "--no-unfold"))};
 }
 
 }  // namespace
