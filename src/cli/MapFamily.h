@@ -59,6 +59,7 @@ class MapFamily {
 [[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> authalicFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> sphereFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);

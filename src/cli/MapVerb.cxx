@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(barycentricFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
+  families.push_back(sphereFamily());
   return families;
 }
 
@@ -50,10 +51,13 @@ VerbHelp mapHelp(const MapOptions& o) {
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-      "  share of every vertex in proportion to its native area times its number in the file"};
+      "  share of every vertex in proportion to its native area times its number in the file",
+      "authalic map sphere lh.pial -o lh.sphere.vtp --report lh.sphere.json\n"
+      "  conformal map of a closed surface to the unit sphere"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
-                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003"};
+                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003",
+                     "Gu et al. 2004; Haker et al. 2000; Kazhdan et al. 2012; Nadeem et al. 2017 (spheres)"};
   return help;
 }
 

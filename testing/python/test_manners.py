@@ -87,6 +87,7 @@ CORNER = {"AddPolygonCorner": (1.0, 2.0)}
 CASES = {
     "vtkBarycentricMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkDiscreteLieFlow": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkSphericalConformalMap": Case((ball,), wrong=(0, disk)),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

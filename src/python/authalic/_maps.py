@@ -31,6 +31,8 @@ METHODS: dict[str, Method] = {
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
     "lie-flow": Method("vtkDiscreteLieFlow"),
+    "sphere": Method("vtkSphericalConformalMap", surface="sphere"),
+    "welding": Method("vtkSphericalConformalMap", {"initial_method": "welding"}, surface="sphere"),
 }
 
 
@@ -109,16 +111,17 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+                Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
-                "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
+                "tutte", "harmonic", "mean-value": barycentric maps; "sphere": conformal map of a closed surface of
+                genus 0 to the unit sphere, "welding": the same by that road; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
                 corners of a polygon, (k, 2)
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
     initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
-                same domain
+                same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     threads     0 = every core; the result does not depend on it
@@ -207,6 +210,8 @@ def _set_measure(algorithm, method, mesh, measure):
 def _set_initial(algorithm, method, mesh, initial):
     if initial is None:
         return
+    if "initial_method" in METHODS[method].settings:
+        raise InvalidArgument(f"Method {method} has a start of its own; leave initial out.")
     if isinstance(initial, str) and hasattr(algorithm, "SetInitialMethod"):
         return _filters.configure(algorithm, initial_method=initial)
     if algorithm.GetNumberOfInputPorts() < 2:
