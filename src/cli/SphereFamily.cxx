@@ -16,7 +16,8 @@ class SphereFamily : public MapFamily {
   std::vector<std::string> methods() const override { return {"sphere", "welding"}; }
 
   std::string description() const override {
-    return "sphere: angle-preserving; a closed surface of genus 0 to the unit sphere, by one of the roads of --initial, "
+    return "sphere: angle-preserving; a closed surface of genus 0 to the unit sphere, by one of the roads of "
+           "--initial, "
            "its centre of mass at 0. welding: the same by that road.";
   }
 

@@ -94,9 +94,10 @@ class Usage(CommandLine):
 
     def test_options_of_a_sphere_that_do_not_fit_are_2(self):
         sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
-        for words in (("--domain", "disk"), ("--initial", "tutte"), ("--rotation", "landmarks"), ("--landmarks", "3", "3"),
-                      ("--landmarks", "3"), ("--landmarks", "3", "9999999"), ("--tolerance", "0"), ("--step-ratio", "0.5"),
-                      ("--rotation", "none", "--landmarks", "3", "4"), ("--punctured-face", "9999999")):
+        for words in (("--domain", "disk"), ("--initial", "tutte"), ("--rotation", "landmarks"),
+                      ("--landmarks", "3", "3"), ("--landmarks", "3"), ("--landmarks", "3", "9999999"),
+                      ("--rotation", "none", "--landmarks", "3", "4"), ("--punctured-face", "9999999"),
+                      ("--tolerance", "0"), ("--step-ratio", "0.5")):
             self.fails(2, "map", "sphere", sphere, "-o", "m.vtp", *words)
         self.assertIn("sphere", self.fails(2, "map", "welding", sphere, "-o", "m.vtp", "--initial", "harmonic"))
 

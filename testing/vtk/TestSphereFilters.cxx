@@ -1,10 +1,15 @@
 /// The conformal map of a sphere as a filter: the numbers of Core, its defaults, and failures in words.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <sstream>
 #include <string>
 
 #include <vtkCallbackCommand.h>
-#include <vtkFieldData.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkMapDistortion.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalConformalMap.h>
@@ -13,6 +18,7 @@
 #include "Core/conformal/SphericalConformalMap.h"
 #include "Core/distortion/SphericalDistortion.h"
 #include "FieldArrays.h"
+#include "Reports/MapReport.h"
 #include "support/TestMeshes.h"
 
 namespace {
@@ -28,7 +34,7 @@ vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
 }
 
 /// Runs the filter with its words kept from the console; returns them.
-std::string wordsOf(vtkSphericalConformalMap* filter) {
+std::string wordsOf(vtkSurfaceAlgorithm* filter) {
   std::string words;
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&words);
@@ -41,6 +47,11 @@ std::string wordsOf(vtkSphericalConformalMap* filter) {
   filter->RemoveObservers(vtkCommand::ErrorEvent);
   filter->RemoveObservers(vtkCommand::WarningEvent);
   return words;
+}
+
+std::string withoutSpace(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); }), text.end());
+  return text;
 }
 
 TEST(SphericalConformalMapFilter, HasTheImageOfCoreByEveryRoad) {
@@ -124,6 +135,57 @@ TEST(SphericalConformalMapFilter, WarnsAndGivesTheBestIterateWhenItMayNotGoOn) {
     EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::NOT_CONVERGED);
     EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   }
+}
+
+TEST(StatisticsOfAMap, AreThoseOfCoreInArraysFieldsAndReport) {
+  const SphereMesh sphere(wavySphere(3));
+  vtkNew<vtkSphericalConformalMap> filter;
+  filter->SetInputData(polyData(sphere.mesh()));
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput();
+  const SphericalDistortion core = measureSphericalDistortion(sphere.mesh(), toPoints(map));
+  vtkDataArray* beltrami = map->GetCellData()->GetArray("BeltramiCoefficient");
+  ASSERT_EQ(beltrami->GetNumberOfComponents(), 2);
+  for (const int f : {0, 77, sphere.mesh().faceCount() - 1}) {
+    EXPECT_EQ(beltrami->GetComponent(f, 0), core.arrays.beltrami[f].real());
+    EXPECT_EQ(beltrami->GetComponent(f, 1), core.arrays.beltrami[f].imag());
+  }
+  EXPECT_EQ(numberField(map, "AngleErrorStandardDeviation"), core.summary.angleError.standardDeviation);
+  EXPECT_EQ(matrixField(map, "QuasiConformalPercentiles")(4, 0), core.summary.quasiConformal.percentiles[4]);
+  const DistortionHistograms histograms = distortionHistograms(core.arrays);
+  const Eigen::MatrixXd rows = matrixField(map, "AngleErrorHistogram");
+  ASSERT_EQ(rows.rows(), 180 + 3);
+  EXPECT_EQ(rows.col(2).sum(), 3 * sphere.mesh().faceCount());
+  EXPECT_EQ(rows(90, 2), static_cast<double>(histograms.angleError.counts[90]));
+  const std::string report = filter->GetReport(), expected = histogramReport(histograms).text(false);
+  EXPECT_NE(withoutSpace(report).find(withoutSpace(expected)), std::string::npos);
+  EXPECT_NE(report.find("\"angle_error_p95_degrees\""), std::string::npos);
+}
+
+TEST(MapDistortionFilter, MeasuresASphereOfAnyRadiusAsTheMapItself) {
+  vtkNew<vtkSphericalConformalMap> map;
+  map->SetInputData(polyData(wavySphere(3)));
+  map->Update();
+  vtkNew<vtkPolyData> large;
+  large->DeepCopy(map->GetOutput());
+  setPoints(large, Points3(100 * toPoints(large)));
+  vtkNew<vtkMapDistortion> filter;
+  filter->SetInputData(large);
+  filter->Update();
+  EXPECT_EQ(toPoints(filter->GetOutput()), toPoints(large));
+  for (const char* name : {"TotalAngleDistortion", "TotalAreaDistortion", "MeanAngleError", "Coverage"}) {
+    EXPECT_NEAR(numberField(filter->GetOutput(), name), numberField(map->GetOutput(), name), 1e-10) << name;
+  }
+}
+
+TEST(MapDistortionFilter, RefusesAnImageThatIsNeitherInThePlaneNorOnASphere) {
+  vtkNew<vtkMapDistortion> filter;
+  const auto shape = polyData(wavySphere(2));
+  filter->SetInputData(0, shape);
+  filter->SetInputData(1, shape);
+  const std::string words = wordsOf(filter);
+  EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::SURFACE);
+  EXPECT_NE(words.find("plane z = 0, or on a sphere"), std::string::npos) << words;
 }
 
 TEST(SphericalConformalMapFilter, HasTheSameBitsAtAnyThreadCount) {

@@ -13,7 +13,9 @@ Distortion measureDistortion(const TriangleMesh& surface, const Points2& image, 
   MeasuredImage measured{Points3::Zero(image.rows(), 3), signedFaceAreas(image, surface.faces()), {}};
   measured.points.leftCols<2>() = image;
   measured.flatAreas = measured.areas;
-  return measureImage(surface, measured, target);
+  Distortion result = measureImage(surface, measured, target);
+  measureSpreads(result);
+  return result;
 }
 
 double transportCost(const Points2& from, const Points2& to, const Eigen::VectorXd& masses) {

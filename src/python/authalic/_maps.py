@@ -46,7 +46,8 @@ class SurfaceMap(Surface):
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
     metrics       {name: number}: area_distortion, angle_distortion (ideal 2), flipped_faces ...
-    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped
+    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped, and
+                  BeltramiCoefficient (m, 2)
     point_arrays  with VertexAreaDistortion (log2)
     report        everything that the filter reports: options, seconds, topology, version ...
     """
@@ -231,21 +232,23 @@ class Distortion:
     """How much a map changes areas and angles.
 
     metrics       {name: number} of the map as a whole, named as in SurfaceMap.metrics
-    face_arrays   AreaDistortion, AngleDistortion, Flipped, Beltrami (m, 2), SigmaMax, SigmaMin
+    face_arrays   AreaDistortion, AngleDistortion, BeltramiCoefficient (m, 2), Flipped, SigmaMax, SigmaMin
     point_arrays  VertexAreaDistortion
+    histograms    {name: (bins + 3, 3)}: lower edge, upper edge and count; then what is below, above, undefined
     """
     metrics: dict[str, Any]
     face_arrays: dict[str, np.ndarray]
     point_arrays: dict[str, np.ndarray]
+    histograms: dict[str, np.ndarray]
 
     def __repr__(self) -> str:
         return f"Distortion({self.metrics})"
 
 
 def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Optional[Any] = None) -> Distortion:
-    """Metrics of any map to the plane, ours or another program's.
+    """Metrics of any map to the plane or to a sphere around 0, ours or another program's.
 
-    image          (n, 2), or a SurfaceMap's
+    image          (n, 2), (n, 3), or a SurfaceMap's
     points, faces  the surface, or one Surface or vtkPolyData
     measure        (m,) target measures of the faces, any scale; None = their areas on the surface
 
@@ -270,6 +273,7 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
     _filters.warn(_filters.run(algorithm)[1])
     done = Surface.from_vtk(algorithm.GetOutput())
     cells = {name: done.face_arrays[name] for name in
-             ("AreaDistortion", "AngleDistortion", "Flipped", "Beltrami", "SigmaMax", "SigmaMin")}
+             ("AreaDistortion", "AngleDistortion", "Flipped", "BeltramiCoefficient", "SigmaMax", "SigmaMin")}
     return Distortion(json.loads(algorithm.GetReport()), cells,
-                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]})
+                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]},
+                      {name: values for name, values in done.fields.items() if name.endswith("Histogram")})
