@@ -10,9 +10,10 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import (vtkImageAlgorithm, vtkPolyDataAlgorithm, vtkTableAlgorithm,
                                                 vtkTrivialProducer)
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkClipPolyData, vtkTriangleFilter
 from vtkmodules.vtkIOCore import vtkWriter
 
 import authalic
@@ -45,6 +46,32 @@ def the_map():
     result = authalic.flatten(authalic.Surface.from_vtk(disk()), method="mean-value")
     return result.with_point_arrays(
         {"Sampled": result.points[:, 2], "SampledCoverage": np.ones(len(result.points))}).to_vtk()
+
+
+def halves():
+    """The two halves of a ball, cut through its faces."""
+    clip, plane = vtkClipPolyData(), vtkPlane()
+    plane.SetOrigin(0.3, 0.2, 0.1)
+    plane.SetNormal(0.1, 0.2, 1)
+    clip.SetClipFunction(plane)
+    clip.SetInputData(ball())
+    clip.GenerateClippedOutputOn()
+    clip.Update()
+    for half in (clip.GetOutput(), clip.GetClippedOutput()):
+        triangles, used = vtkTriangleFilter(), vtkCleanPolyData()
+        triangles.SetInputData(half)
+        used.SetInputConnection(triangles.GetOutputPort())
+        used.PointMergingOff()  # what is left: points that no triangle uses go
+        used.Update()
+        yield authalic.Surface.from_vtk(used.GetOutput())
+
+
+def map_of_half():
+    return authalic.flatten(next(halves()), method="mean-value").to_vtk()
+
+
+def map_of_other_half():
+    return authalic.flatten(list(halves())[1], method="mean-value").to_vtk()
 
 
 def grid():
@@ -88,6 +115,7 @@ CASES = {
     "vtkBarycentricMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkDiscreteLieFlow": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalConformalMap": Case((ball,), wrong=(0, disk)),
+    "vtkConformalWelding": Case((map_of_half, map_of_other_half), wrong=(0, disk), keeps_vertices=False),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),
