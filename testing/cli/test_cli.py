@@ -33,32 +33,6 @@ def grid(path, n=24, height=0.3):
     return path
 
 
-def octahedron_halves(folder, n=8):
-    """Upper and lower half of an octahedron, its faces in n² triangles each, as OFF."""
-    paths = []
-    for name, side in (("upper", 1), ("lower", -1)):
-        ids, points, faces = {}, [], []
-
-        def vertex(x, y):
-            if (x, y) not in ids:
-                ids[x, y] = len(points)
-                points.append((x / n, y / n, side * (n - abs(x) - abs(y)) / n))
-            return ids[x, y]
-        for sx, sy in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
-            for i in range(n):
-                for j in range(n - i):
-                    triangles = [((i, j), (i + 1, j), (i, j + 1))]
-                    if i + j < n - 1:
-                        triangles.append(((i + 1, j), (i + 1, j + 1), (i, j + 1)))
-                    for triangle in triangles:
-                        corners = [vertex(sx * x, sy * y) for x, y in triangle]
-                        faces.append(corners if sx * sy * side > 0 else corners[::-1])
-        lines = [f"OFF\n{len(points)} {len(faces)} 0"] + [" ".join(map(repr, p)) for p in points]
-        paths.append(folder / f"{name}.off")
-        paths[-1].write_text("\n".join(lines + ["3 " + " ".join(map(str, f)) for f in faces]) + "\n")
-    return paths
-
-
 class CommandLine(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -372,10 +346,10 @@ class Results(CommandLine):
             self.assertLess(report["metrics"]["angle_distortion"], 2.05)
 
     def test_two_halves_weld_to_a_sphere_and_others_do_not(self):
-        cut = octahedron_halves(self.here)
-        for half in cut:
-            self.succeeds("map", "mean-value", half, "-o", half.with_suffix(".vtp"))
-        maps = [half.with_suffix(".vtp") for half in cut]
+        halves = [pathlib.Path(ARGUMENTS.fixtures) / f"{side}_shell.off" for side in ("upper", "lower")]
+        maps = ["upper.vtp", "lower.vtp"]
+        for half, image in zip(halves, maps):
+            self.succeeds("map", "mean-value", half, "-o", image)
         self.succeeds("weld", *maps, "-o", "sphere.vtp", "--report", "r.json")
         report = json.loads((self.here / "r.json").read_text())
         self.assertEqual((report["method"], report["flips"], report["topology"]["euler_characteristic"]),
@@ -383,7 +357,7 @@ class Results(CommandLine):
         self.assertLess(report["boundary_mismatch"], 1e-10)
         self.succeeds("map", "tutte", self.sheet, "-o", "sheet.vtp")
         self.assertIn("same number", self.fails(3, "weld", maps[0], "sheet.vtp", "-o", "s.vtp"))
-        self.assertIn("OriginalPoints", self.fails(2, "weld", *cut, "-o", "s.vtp"))
+        self.assertIn("OriginalPoints", self.fails(2, "weld", *halves, "-o", "s.vtp"))
         self.assertIn("Seam", self.fails(2, "weld", *maps, "-o", "s.vtp", "--signature", "Seam"))
         self.assertIn("is required", self.fails(3, "weld", maps[0], maps[0], "-o", "s.vtp"))
 
