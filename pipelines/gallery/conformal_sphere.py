@@ -24,7 +24,8 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 parser.add_argument("--surface", default=surfaces.FIXTURES / "folded_sphere.off", type=pathlib.Path,
                     help="closed surface: FreeSurfer, GIFTI, OFF ... (default: a folded sphere)")
 parser.add_argument("--roads", nargs=2, default=["harmonic", "welding"], help=f"two of {', '.join(ROADS)}")
-parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/gallery"), help="folder (default: %(default)s)")
+parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/gallery"),
+                    help="folder (default: %(default)s)")
 options = parser.parse_args()
 
 options.out.mkdir(parents=True, exist_ok=True)
