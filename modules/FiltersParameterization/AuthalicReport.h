@@ -1,9 +1,10 @@
 /// @file
-/// What both authalic maps report.
+/// What all authalic maps report.
 #pragma once
 
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/authalic/ToroidalAuthalicMap.h"
 #include "Reports/MapReport.h"
 
 class vtkPolyData;
@@ -11,7 +12,7 @@ class vtkPolyData;
 namespace authalic {
 
 /// Method, status, residuals, seconds, and the members and field data FaceResidual and VertexResidual.
-/// @param Result  AuthalicMapResult or SphericalAuthalicMapResult
+/// @tparam Result  AuthalicMapResult, SphericalAuthalicMapResult or ToroidalAuthalicMapResult
 template <class Result>
 [[nodiscard]] MapReport describeAuthalicMap(const Result& result, vtkPolyData* map);
 

@@ -81,6 +81,21 @@ SphericalDistortion fillMap(vtkPolyData* input, vtkPolyData* map, const Triangle
   return distortion;
 }
 
+Distortion fillOpenedMap(vtkPolyData* input, vtkPolyData* map, const OpenedFaces& opened, const Points2& image,
+                         const Eigen::VectorXd& target) {
+  const TriangleMesh surface(toPoints(input)(opened.originalPointIds, Eigen::all), opened.faces);
+  Distortion distortion = measureDistortion(surface, opened.originalPointIds, image, target);
+  setMesh(map, surface);
+  gatherArrays(input->GetPointData(), opened.originalPointIds, map->GetPointData());
+  map->GetCellData()->ShallowCopy(input->GetCellData());
+  passFields(input, map);
+  addIds(map->GetPointData(), "OriginalPointIds", opened.originalPointIds);
+  addArray(map->GetPointData(), "OriginalPoints", surface.points());
+  setPoints(map, image);
+  addDistortion(map, distortion);
+  return distortion;
+}
+
 void imageToTextureCoordinates(vtkPolyData* map) {
   Points3 image = toPoints(map);
   const Eigen::RowVector3d lower = image.colwise().minCoeff(), size = image.colwise().maxCoeff() - lower;

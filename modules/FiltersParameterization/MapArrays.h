@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/distortion/SphericalDistortion.h"
@@ -31,6 +32,18 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input,
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT SphericalDistortion fillMap(vtkPolyData* input, vtkPolyData* map,
                                                                       const TriangleMesh& surface, const Points3& image,
                                                                       const Eigen::VectorXd& target = {});
+
+/// A surface that a map cuts open: m×3 faces, and for every vertex the one of the input that it is.
+struct OpenedFaces {
+  const Faces& faces;
+  const std::vector<int>& originalPointIds;
+};
+
+/// The same for a map that cuts the surface: the points of `map` are those of `opened`, with the point array
+/// OriginalPointIds; a vertex has the area distortion of its whole star.
+VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillOpenedMap(vtkPolyData* input, vtkPolyData* map,
+                                                                   const OpenedFaces& opened, const Points2& image,
+                                                                   const Eigen::VectorXd& target = {});
 
 /// Turns a map into its surface with texture coordinates: points become OriginalPoints (whose array goes), the image
 /// the active array TCoords, moved and scaled by one factor into [0, 1]², or [0, 1]³ when it is not in the plane z

@@ -2,6 +2,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalAuthalicMap.h>
+#include <vtkToroidalAuthalicMap.h>
 
 #include "MapFamily.h"
 
@@ -16,11 +17,11 @@ class AuthalicFamily : public MapFamily {
     return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and "
            "without a fold; a "
            "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to "
-           "--domain sphere.";
+           "--domain sphere, a torus to --domain torus (flat, cut open, with OriginalPointIds).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", "a MAP.vtp to the same domain (default: Tutte's)"},
+    return {{"--initial", "a MAP.vtp to the same disk, polygon or sphere (default: Tutte's)"},
             {"--tolerance", "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
@@ -33,6 +34,7 @@ class AuthalicFamily : public MapFamily {
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalAuthalicMap>::New(), shared, session);
+    if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
     setDiskDomain(map, shared.domain);
     return configured(map, shared, session);
@@ -45,7 +47,13 @@ class AuthalicFamily : public MapFamily {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
-    if (shared.initial) map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    if (shared.initial) {
+      if (map->GetNumberOfInputPorts() < 2) {
+        throw Failure(UsageProblem,
+                      "--initial is not for --domain " + *shared.domain + "; the start is found with it.");
+      }
+      map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    }
     return map;
   }
 

@@ -51,7 +51,7 @@ VerbHelp mapHelp(const MapOptions& o) {
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-      "  share of every vertex in proportion to its native area times its number in the file",
+      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file",
       "authalic map sphere lh.pial -o lh.sphere.vtp --report lh.sphere.json\n"
       "  conformal map of a closed surface to the unit sphere"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
@@ -145,7 +145,7 @@ std::string meanings(const MapOptions& o, const std::string& option) {
 void declareShared(CLI::App* verb, MapOptions& o) {
   verb->add_option("--domain", o.shared.domain,
                    "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
-                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit).")
+                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1).")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "

@@ -311,6 +311,21 @@ class Results(CommandLine):
                        "version"):
             self.assertIn(member, report)
 
+    def test_closed_surfaces_have_domains_of_their_own(self):
+        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
+        self.succeeds("map", "authalic", torus, "-o", "t.vtp", "--domain", "torus", "--report", "t.json", "-q",
+                      "--tolerance", 0.1)
+        report = json.loads((self.here / "t.json").read_text())
+        self.assertEqual(report["status"], "converged")
+        self.assertEqual(report["options"]["domain"], "torus")
+        self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9)
+        self.assertLess(report["seam_error"], 1e-12)
+        self.assertIn(b"OriginalPointIds", (self.here / "t.vtp").read_bytes())
+        self.assertIn("genus 1", self.fails(3, "map", "authalic", torus, "-o", "s.vtp", "--domain", "sphere"))
+        self.assertIn("torus", self.fails(3, "map", "authalic", self.sheet, "-o", "s.vtp", "--domain", "torus"))
+        self.assertIn("--initial", self.fails(2, "map", "authalic", torus, "-o", "s.vtp", "--domain", "torus",
+                                              "--initial", "t.vtp"))
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]

@@ -36,6 +36,7 @@ CASES = [
     ("shells", "ConformalWelding", [("Input", "uppermap", 0), ("Second", "lowermap", 0)], {}),
     ("onsphere", "MapDistortion", [("Input", "shells", 0)], {"Details": True}),
     ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),
+    ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),
     ("t1", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_t1.nii.gz"}),
     ("labels", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_labels.nii.gz", "Frame": 0}),

@@ -98,9 +98,20 @@ TEST(SphericalAuthalicMap, GivesTheSameBitsOnOneThreadAndTwo) {
 
 TEST(SphericalAuthalicMap, ReturnsAnUnfoldedIterateWhenCancelled) {
   const SphereMesh sphere(bumpySphere(3));
-  int asked = 0;
-  const SphericalAuthalicMapResult result = sphericalAuthalicMap(
-      sphere, TargetMeasure(sphere.mesh()), {}, {}, Execution({}, [&] { return ++asked > 50; }));
+  bool solving = false;
+  const Execution execution([&](double, std::string_view stage) { solving = solving || stage == "Matching faces"; },
+                            [&] { return solving; });
+  const SphericalAuthalicMapResult result =
+      sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), {}, {}, execution);
   EXPECT_EQ(result.status, Status::Cancelled);
   EXPECT_EQ(countFlippedOnSphere(result.image, sphere.mesh().faces()), 0);
+}
+
+TEST(SphericalAuthalicMap, HoldsOnTheSmallestSpheres) {
+  const Points3 corners = (Points3(4, 3) << 1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1).finished();
+  const Faces faces = (Faces(4, 3) << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3).finished();
+  const SphereMesh tetrahedron(TriangleMesh(corners, faces));
+  expectExact(tetrahedron.mesh(), sphericalAuthalicMap(tetrahedron, TargetMeasure(tetrahedron.mesh())));
+  const SphereMesh octahedron(sphereMesh(0));
+  expectExact(octahedron.mesh(), sphericalAuthalicMap(octahedron, TargetMeasure(octahedron.mesh())));
 }

@@ -47,25 +47,37 @@ double areaDistortion(const Eigen::VectorXd& areas, const Eigen::VectorXd& targe
   return sum;
 }
 
-Points2 balance(const DiskMesh& disk, const Points2& image, const std::vector<char>& held, const TargetMeasure& target,
-                SolverBackend backend, double goodEnough, const Execution& execution) {
-  const Faces& faces = disk.mesh().faces();
-  BarycentricSolver solver(faces, held, backend);
+// What of an image may move, and how its corners hang together.
+struct Setting {
+  const SurfaceTopology& topology;
+  std::vector<char> held;
+  Points2 shifts;  // 3m×2 or empty
+};
+
+Eigen::VectorXd areasOf(const Setting& setting, const Points2& image) {
+  const Faces& faces = setting.topology.faces();
+  return setting.shifts.size() == 0 ? signedFaceAreas(image, faces) : periodicFaceAreas(image, setting.shifts, faces);
+}
+
+Points2 balance(const Setting& setting, const Points2& image, const TargetMeasure& target, SolverBackend backend,
+                double goodEnough, const Execution& execution) {
+  const Faces& faces = setting.topology.faces();
+  BarycentricSolver solver(faces, setting.held, backend);
   HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
   Points2 best = image, current = image;
-  double least = areaDistortion(signedFaceAreas(image, faces), target.faces()), error = 1;
+  double least = areaDistortion(areasOf(setting, image), target.faces()), error = 1;
   for (int round = 0; round < kRounds && error > goodEnough && !execution.cancelled(); ++round) {
     execution.report(double(round) / kRounds, "Balancing the start");
-    solver.solve(weights, current);
-    const Eigen::VectorXd areas = signedFaceAreas(current, faces);
-    const Eigen::VectorXd stars = vertexStars(areas, faces, disk.mesh().vertexCount());
+    solver.solve(weights, current, setting.shifts);
+    const Eigen::VectorXd areas = areasOf(setting, current);
+    const Eigen::VectorXd stars = vertexStars(areas, faces, static_cast<int>(image.rows()));
     const double distortion = areaDistortion(areas, target.faces());
     error = measureStars(stars, target.vertices()).meanAbsLog;
     if (distortion < least) {
       least = distortion;
       best = current;
     }
-    reweight(disk.topology(), logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
+    reweight(setting.topology, logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
   }
   return best;
 }
@@ -91,7 +103,15 @@ std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& coll
 
 Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
                       double goodEnough, const Execution& execution) {
-  return balance(disk, image, disk.topology().onBoundary(), target, backend, goodEnough, execution);
+  return balance({disk.topology(), disk.topology().onBoundary(), {}}, image, target, backend, goodEnough, execution);
+}
+
+Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image, const Points2& shifts,
+                              const TargetMeasure& target, SolverBackend backend, double goodEnough,
+                              const Execution& execution) {
+  std::vector<char> held(static_cast<std::size_t>(topology.vertexCount()), 0);
+  held[0] = 1;
+  return balance({topology, held, shifts}, image, target, backend, goodEnough, execution);
 }
 
 Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
@@ -105,7 +125,7 @@ Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const T
       for (int k = 0; k < 3; ++k) collapsed[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
     }
     if (std::find(collapsed.begin(), collapsed.end(), 1) == collapsed.end()) return result;
-    result = balance(disk, result, heldAround(disk, collapsed, rings), target, backend, 0, {});
+    result = balance({disk.topology(), heldAround(disk, collapsed, rings), {}}, result, target, backend, 0, {});
   }
   return result;
 }

@@ -31,6 +31,12 @@ namespace authalic {
                                     SolverBackend backend, double goodEnough,
                                     const Execution& execution = {});
 
+/// The same on the flat torus: the whole image is free but for vertex 0.
+/// @param shifts  3m×2, see BarycentricSolver: corner 3 f + k lies at x_v + shift
+[[nodiscard]] Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image,
+                                            const Points2& shifts, const TargetMeasure& target, SolverBackend backend,
+                                            double goodEnough, const Execution& execution = {});
+
 /// The same within small patches around the faces that have collapsed (less than 1e-2 of their share), the rest held.
 [[nodiscard]] Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend);

@@ -1,16 +1,23 @@
 #include "Core/authalic/TwoCapsStart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "Core/authalic/BalancedStart.h"
 #include "Core/conformal/UnfoldOnSphere.h"
 #include "Core/geometry/Areas.h"
+#include "Core/geometry/SphericalAreas.h"
 #include "Core/initial/BarycentricMap.h"
 
 namespace authalic {
 namespace {
+
+constexpr std::array<double, 7> kHeights{0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35};  // where the sphere is divided
+constexpr int kRoundsWithEars = 20;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -68,15 +75,38 @@ bool joinPinches(const SurfaceTopology& topology, std::vector<char>& side) {
   return any;
 }
 
-// 1 for the faces of the northern disk, 0 for those of the southern one.
-std::vector<char> northernDisk(const SphereMesh& sphere, const Points3& image) {
-  const Faces& faces = sphere.mesh().faces();
-  std::vector<char> side(at(static_cast<int>(faces.rows())));
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    side[static_cast<std::size_t>(f)] = image(faces(f, 0), 2) + image(faces(f, 1), 2) + image(faces(f, 2), 2) > 0;
+// Faces with two neighbours on the other side join them: three corners on the rim of a cap span no area on its side of
+// a great circle. Every such face shortens the rim.
+bool giveAwayEars(const SurfaceTopology& topology, std::vector<char>& side) {
+  bool any = false;
+  for (int f = 0; f < static_cast<int>(side.size()); ++f) {
+    int across = 0;
+    for (int h = 3 * f; h < 3 * f + 3; ++h) across += side[at(topology.opposite(h) / 3)] != side[at(f)];
+    if (across != 2) continue;
+    side[at(f)] = static_cast<char>(!side[at(f)]);
+    any = true;
   }
+  return any;
+}
+
+// 1 for the faces of the northern disk, above the height, 0 for those of the southern one.
+std::vector<char> northernDisk(const SphereMesh& sphere, const Points3& image, double height) {
+  const Faces& faces = sphere.mesh().faces();
+  Eigen::VectorXd middle(faces.rows());
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    middle[f] = (image(faces(f, 0), 2) + image(faces(f, 1), 2) + image(faces(f, 2), 2)) / 3;
+  }
+  Eigen::Index highest = 0, lowest = 0;
+  middle.maxCoeff(&highest);
+  middle.minCoeff(&lowest);
+  std::vector<char> side(static_cast<std::size_t>(faces.rows()));
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) side[static_cast<std::size_t>(f)] = middle[f] > height;
+  side[static_cast<std::size_t>(highest)] = 1;  // neither side is empty
+  side[static_cast<std::size_t>(lowest)] = 0;
+  int roundsWithEars = kRoundsWithEars;
   for (bool changed = true; changed;) {
-    changed = keepLargest(sphere.topology(), side, 1);
+    changed = roundsWithEars-- > 0 && giveAwayEars(sphere.topology(), side);
+    changed = keepLargest(sphere.topology(), side, 1) || changed;
     changed = keepLargest(sphere.topology(), side, 0) || changed;
     changed = joinPinches(sphere.topology(), side) || changed;
   }
@@ -140,11 +170,9 @@ void projectToCap(const Half& half, double sign, Points3& image) {
   }
 }
 
-}  // namespace
-
-Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target, SolverBackend backend,
-                     double goodEnough, const Execution& execution) {
-  const std::vector<char> side = northernDisk(sphere, image);
+Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& image, const TargetMeasure& target,
+                       SolverBackend backend, double goodEnough, const Execution& execution) {
+  const std::vector<char> side = northernDisk(sphere, image, height);
   int startVertex = 0;
   for (int h = 0; h < 3 * static_cast<int>(side.size()); ++h) {
     if (side[at(h / 3)] == side[at(sphere.topology().opposite(h) / 3)]) continue;
@@ -158,6 +186,23 @@ Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const Targe
   projectToCap(north, 1, start);
   start.rowwise().normalize();
   return unfoldOnSphere(sphere, std::move(start)).image;
+}
+
+}  // namespace
+
+Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target, SolverBackend backend,
+                     double goodEnough, const Execution& execution) {
+  Points3 best;
+  int fewest = std::numeric_limits<int>::max();
+  for (const double height : kHeights) {
+    Points3 start = startDividedAt(height, sphere, image, target, backend, goodEnough, execution);
+    const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
+    if (folded >= fewest) continue;
+    fewest = folded;
+    best = std::move(start);
+    if (folded == 0 || execution.cancelled()) break;
+  }
+  return best;
 }
 
 }  // namespace authalic

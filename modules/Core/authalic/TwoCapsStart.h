@@ -16,7 +16,8 @@ namespace authalic {
 /// boundary. Each is mapped to the unit disk by a reweighted barycentric map (balancedStart; the boundary by arc
 /// length, the same for both), and that disk to the cap that holds its share f of the target measure by Lambert's
 /// projection, cos θ = 1 − 2 f r²: areas come out as they were balanced. Faces that the projection folds near the
-/// common boundary are unfolded.
+/// common boundary are unfolded; where some stay folded, other parallels than the equator are tried, and the start with
+/// the fewest folds is returned.
 ///
 /// @param image       n×3 on the unit sphere, roughly injective; only its third coordinate is used
 /// @param goodEnough  see balancedStart

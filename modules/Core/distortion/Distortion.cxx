@@ -9,11 +9,16 @@
 namespace authalic {
 
 Distortion measureDistortion(const TriangleMesh& surface, const Points2& image, const Eigen::VectorXd& target) {
-  requireImagePerVertex(surface, image.rows());
-  MeasuredImage measured{Points3::Zero(image.rows(), 3), signedFaceAreas(image, surface.faces()), {}};
+  return measureDistortion(surface, {}, image, target);
+}
+
+Distortion measureDistortion(const TriangleMesh& opened, const std::vector<int>& originals, const Points2& image,
+                             const Eigen::VectorXd& target) {
+  requireImagePerVertex(opened, image.rows());
+  MeasuredImage measured{Points3::Zero(image.rows(), 3), signedFaceAreas(image, opened.faces()), {}, originals};
   measured.points.leftCols<2>() = image;
   measured.flatAreas = measured.areas;
-  Distortion result = measureImage(surface, measured, target);
+  Distortion result = measureImage(opened, measured, target);
   measureSpreads(result);
   return result;
 }

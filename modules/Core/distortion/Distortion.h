@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "Core/distortion/Spread.h"
 #include "Core/mesh/TriangleMesh.h"
@@ -65,6 +66,11 @@ struct Distortion {
 /// @cite su2019 (Table 1, with the area weights put right)
 [[nodiscard]] Distortion measureDistortion(const TriangleMesh& surface, const Points2& image,
                                            const Eigen::VectorXd& target = {});
+
+/// The same for a surface that was cut open: vertices with one original share one star, which the seam does not divide.
+/// @param originals  n, vertex of the surface before the cut (0 … n − 1) of every vertex
+[[nodiscard]] Distortion measureDistortion(const TriangleMesh& opened, const std::vector<int>& originals,
+                                           const Points2& image, const Eigen::VectorXd& target = {});
 
 /// Transport cost Σ m_i |x_i − y_i|² of moving the image x to the image y with vertex masses m.
 /// @throws GeometryError when the lengths differ

@@ -109,26 +109,30 @@ double measureCorners(const TriangleMesh& surface, const MeasuredImage& image, i
   return error;
 }
 
-void measureVertices(const TriangleMesh& surface, const Shares& shares, Distortion& result) {
+void measureVertices(const TriangleMesh& surface, const MeasuredImage& measured, const Shares& shares,
+                     Distortion& result) {
   const int n = surface.vertexCount();
+  const auto original = [&](int v) { return measured.originals.empty() ? v : measured.originals[std::size_t(v)]; };
   Eigen::VectorXd image = Eigen::VectorXd::Zero(n), target = Eigen::VectorXd::Zero(n);
   for (int f = 0; f < surface.faceCount(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      image[surface.faces()(f, k)] += std::abs(shares.image[f]) / 3;
-      target[surface.faces()(f, k)] += shares.target[f] / 3;
+      image[original(surface.faces()(f, k))] += std::abs(shares.image[f]) / 3;
+      target[original(surface.faces()(f, k))] += shares.target[f] / 3;
     }
   }
   int counted = 0;
-  result.arrays.vertexLogAreaRatio = Eigen::VectorXd::Constant(n, kNaN);
+  Eigen::VectorXd ratios = Eigen::VectorXd::Constant(n, kNaN);
   for (int i = 0; i < n; ++i) {
     if (!(image[i] > 0) || !(target[i] > 0)) continue;
     const double p = std::log(image[i] / target[i]);
-    result.arrays.vertexLogAreaRatio[i] = p;
+    ratios[i] = p;
     result.summary.vertexMeanAbsLog += std::abs(p);
     result.summary.vertexMaxAbsLog = std::max(result.summary.vertexMaxAbsLog, std::abs(p));
     ++counted;
   }
   if (counted > 0) result.summary.vertexMeanAbsLog /= counted;
+  result.arrays.vertexLogAreaRatio.resize(n);
+  for (int v = 0; v < n; ++v) result.arrays.vertexLogAreaRatio[v] = ratios[original(v)];
 }
 
 /// Returns whether the face has an area ratio that can enter the sums.
@@ -208,7 +212,7 @@ Distortion measureImage(const TriangleMesh& surface, const MeasuredImage& image,
   s.meanBeltrami /= std::max(withAngles, 1);
   s.meanAngleError *= 180 / (M_PI * 3.0 * m);
   s.finite = image.points.allFinite();
-  measureVertices(surface, shares, result);
+  measureVertices(surface, image, shares, result);
   return result;
 }
 

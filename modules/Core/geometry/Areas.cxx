@@ -23,6 +23,17 @@ Eigen::VectorXd signedFaceAreas(const Points2& points, const Faces& faces) {
   return areas;
 }
 
+Eigen::VectorXd periodicFaceAreas(const Points2& points, const Points2& shifts, const Faces& faces) {
+  Eigen::VectorXd areas(faces.rows());
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const Eigen::RowVector2d a = points.row(faces(f, 0)) + shifts.row(3 * f);
+    const Eigen::RowVector2d b = points.row(faces(f, 1)) + shifts.row(3 * f + 1) - a;
+    const Eigen::RowVector2d c = points.row(faces(f, 2)) + shifts.row(3 * f + 2) - a;
+    areas[f] = 0.5 * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return areas;
+}
+
 Eigen::VectorXd vertexStars(const Eigen::VectorXd& faceMeasures, const Faces& faces, int vertexCount) {
   Eigen::VectorXd stars = Eigen::VectorXd::Zero(vertexCount);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {

@@ -16,6 +16,10 @@ namespace authalic {
 /// @param faces   m×3
 [[nodiscard]] Eigen::VectorXd signedFaceAreas(const Points2& points, const Faces& faces);
 
+/// The same of a periodic image, whose corner 3 f + k lies at points(v) + shifts(3 f + k).
+/// @param shifts  3m×2
+[[nodiscard]] Eigen::VectorXd periodicFaceAreas(const Points2& points, const Points2& shifts, const Faces& faces);
+
 /// A third of the areas of the faces around each vertex: the lumped mass. Its sum is the sum of the face areas.
 /// @param faceMeasures  m values, any unit
 /// @return n values, same unit; 0 at vertices without a face

@@ -60,6 +60,19 @@ Eigen::MatrixXd rightHandSide(const Faces& faces, const HalfEdgeWeights& forward
   return b;
 }
 
+// What the shifts of corners contribute.
+void addShifts(const HalfEdgeWeights& weights, const ElementAssembly::Unknowns& unknowns, const Points2& shifts,
+               Eigen::MatrixXd& b) {
+  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3, i = unknowns(f, k), j = unknowns(f, l);
+      const Eigen::RowVector2d pull = weights(f, k) * (shifts.row(3 * f + l) - shifts.row(3 * f + k));
+      if (i >= 0) b.row(i) += pull;
+      if (j >= 0) b.row(j) -= pull;
+    }
+  }
+}
+
 // One restart of right-hand-side-blocked GMRES: two independent Krylov spaces that share every preconditioner call.
 class PairedGmres {
  public:
@@ -171,10 +184,12 @@ BarycentricSolver::BarycentricSolver(const Faces& faces, const std::vector<char>
   if (!vertices_.empty()) solver_.analyze(assembly_.matrix());
 }
 
-void BarycentricSolver::solve(const HalfEdgeWeights& weights, Points2& image) {
+void BarycentricSolver::solve(const HalfEdgeWeights& weights, Points2& image, const Points2& shifts) {
   if (vertices_.empty()) return;
   solver_.factorize(assembly_.assemble(elementValues(weights)));
-  store(vertices_, solver_.solve(rightHandSide(faces_, weights, weights, unknowns_, vertices_.size(), image)), image);
+  Eigen::MatrixXd b = rightHandSide(faces_, weights, weights, unknowns_, vertices_.size(), image);
+  if (shifts.size() > 0) addShifts(weights, unknowns_, shifts, b);
+  store(vertices_, solver_.solve(b), image);
 }
 
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,

@@ -23,8 +23,10 @@ class BarycentricSolver {
   BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend);
 
   /// @param weights  per half-edge, the same both ways
+  /// @param shifts   3m×2 or empty: corner 3 f + k is at x_v + shift, so that Σ_j w_ij (x_j + s_j − x_i − s_i) = 0; for
+  ///                 periodic images, with the same difference of shifts on both sides of an edge
   /// @throws SolverError when the system is not definite
-  void solve(const HalfEdgeWeights& weights, Points2& image);
+  void solve(const HalfEdgeWeights& weights, Points2& image, const Points2& shifts = {});
 
  private:
   const Faces& faces_;

@@ -46,7 +46,11 @@ std::string obstacle(const MeshReport& report, const RequiredTopology& required)
     return "a boundary loop too many near " + at(report.loops[required.mostLoops].place) +
            "; close it, or take a method for more loops";
   }
-  if (report.genus != 0) return "handles (genus " + std::to_string(report.genus) + "); cut or repair them first";
+  if (report.genus < required.genus) {
+    return "too few handles (genus " + std::to_string(report.genus) + "); take a method for this genus";
+  }
+  if (report.genus != required.genus)
+    return "handles (genus " + std::to_string(report.genus) + "); cut or repair them first";
   return {};
 }
 
@@ -56,7 +60,7 @@ void requireTopology(const TriangleMesh& mesh, const SurfaceTopology& topology, 
   const std::size_t loops = topology.boundaryLoops().size();
   const bool fits = topology.manifold() && topology.componentCount() == 1 && topology.isolatedVertices().empty() &&
                     loops >= required.fewestLoops && loops <= required.mostLoops &&
-                    topology.eulerCharacteristic() == 2 - static_cast<int>(loops);
+                    topology.eulerCharacteristic() == 2 - 2 * required.genus - static_cast<int>(loops);
   if (fits) return;
   const MeshReport report = inspect(mesh, topology);
   throw TopologyError(std::string(required.words) + ", but the surface has " + report.summary() + ": found " +

@@ -1,5 +1,5 @@
 /// @file
-/// The check behind the mesh types DiskMesh, SphereMesh, AnnulusMesh and PolyAnnulusMesh. Private to mesh/.
+/// The check behind the mesh types DiskMesh, SphereMesh, AnnulusMesh, PolyAnnulusMesh and TorusMesh. Private to mesh/.
 #pragma once
 
 #include <limits>
@@ -9,11 +9,12 @@
 
 namespace authalic {
 
-/// A connected, oriented, manifold surface of genus 0 without isolated vertices, and how many boundary loops it may
-/// have.
+/// A connected, oriented, manifold surface without isolated vertices, how many boundary loops it may have, and its
+/// genus.
 struct RequiredTopology {
   const char* words;  ///< "A topological disk is required (1 component, genus 0, 1 boundary loop)"
   std::size_t fewestLoops, mostLoops;
+  int genus = 0;
 };
 
 inline constexpr std::size_t kAnyNumberOfLoops = std::numeric_limits<std::size_t>::max();

@@ -1,0 +1,57 @@
+#include "Core/authalic/PeriodicAreas.h"
+
+#include "Core/geometry/Areas.h"
+#include "Core/numerics/FlipFreeStep.h"
+
+namespace authalic {
+namespace {
+
+std::vector<char> freeButFirst(int vertexCount) {
+  std::vector<char> freedom(static_cast<std::size_t>(vertexCount), 2);
+  freedom[0] = 0;
+  return freedom;
+}
+
+double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) { return u[0] * v[1] - u[1] * v[0]; }
+
+}  // namespace
+
+PeriodicAreas::PeriodicAreas(const Faces& faces, const Points2& shifts, int vertexCount)
+    : AreaFunctional(faces, freeButFirst(vertexCount)), shifts_(shifts) {}
+
+Eigen::VectorXd PeriodicAreas::areas(const Coordinates& image) const {
+  return periodicFaceAreas(Points2(image), shifts_, faces());
+}
+
+AreaFunctional::Frames PeriodicAreas::frames(const Coordinates& image) const {
+  Frames result = Frames::Zero(image.rows(), 4);
+  result.bottomRows(image.rows() - 1).rowwise() = Eigen::RowVector4d(1, 0, 0, 1);
+  return result;
+}
+
+AreaFunctional::Gradients PeriodicAreas::gradients(const Coordinates& image, const Frames&) const {
+  Gradients result(faces().rows(), 6);
+  for (int f = 0; f < static_cast<int>(faces().rows()); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector2d across = corner(image, f, (k + 2) % 3) - corner(image, f, (k + 1) % 3);
+      const bool fixed = freedom(faces()(f, k)) == 0;
+      result(f, 2 * k) = fixed ? 0 : -0.5 * across[1];
+      result(f, 2 * k + 1) = fixed ? 0 : 0.5 * across[0];
+    }
+  }
+  return result;
+}
+
+Coordinates PeriodicAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
+  return image + t * displacement;
+}
+
+double PeriodicAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
+  const Eigen::Vector2d e = corner(image, face, 1) - corner(image, face, 0);
+  const Eigen::Vector2d g = corner(image, face, 2) - corner(image, face, 0);
+  const auto moves = [&](int k) { return Eigen::Vector2d(displacement.row(faces()(face, k)).transpose()); };
+  const Eigen::Vector2d d = moves(1) - moves(0), h = moves(2) - moves(0);
+  return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+}  // namespace authalic

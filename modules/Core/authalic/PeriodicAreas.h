@@ -1,0 +1,30 @@
+/// @file
+/// Areas of an image on the flat torus. Private to authalic/.
+#pragma once
+
+#include "Core/authalic/AreaFunctional.h"
+
+namespace authalic {
+
+/// Every vertex moves anywhere but vertex 0, which fixes the translation. Corners lie at x_v + a shift of the
+/// lattice, so that there is no seam: every star is whole.
+class PeriodicAreas final : public AreaFunctional {
+ public:
+  /// @param shifts  3m×2, see periodicFaceAreas(); kept by reference
+  PeriodicAreas(const Faces& faces, const Points2& shifts, int vertexCount);
+
+  [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
+  [[nodiscard]] Frames frames(const Coordinates& image) const override;
+  [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
+  [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
+  [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
+
+ private:
+  [[nodiscard]] Eigen::Vector2d corner(const Coordinates& image, int face, int k) const {
+    return (image.row(faces()(face, k)) + shifts_.row(3 * face + k)).transpose();
+  }
+
+  const Points2& shifts_;
+};
+
+}  // namespace authalic

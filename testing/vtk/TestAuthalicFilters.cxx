@@ -1,0 +1,119 @@
+/// The authalic filters against Core on the same input, with their arrays and refusals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <vtkAuthalicMap.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSphericalAuthalicMap.h>
+#include <vtkToroidalAuthalicMap.h>
+
+#include "Conversion.h"
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/authalic/ToroidalAuthalicMap.h"
+#include "support/TestMeshes.h"
+#include "support/TorusMeshes.h"
+
+namespace {
+
+using namespace authalic;
+using authalic::testing::bumpyDisk;
+using authalic::testing::sphereMesh;
+using authalic::testing::torusMesh;
+
+vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  setMesh(result, mesh);
+  return result;
+}
+
+TriangleMesh ellipsoid() {
+  const TriangleMesh sphere = sphereMesh(4);
+  return TriangleMesh(sphere.points() * Eigen::Vector3d(1, 1.5, 2.2).asDiagonal(), sphere.faces());
+}
+
+double field(vtkDataObject* object, const char* name, int component = 0) {
+  vtkDataArray* array = object->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(component, 0) : std::nan("");
+}
+
+template <class Filter>
+vtkSmartPointer<Filter> mapped(const TriangleMesh& mesh) {
+  const auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputData(0, polyData(mesh));
+  filter->Update();
+  return filter;
+}
+
+}  // namespace
+
+TEST(AuthalicFilters, GiveTheImageOfCore) {
+  const TriangleMesh disk = bumpyDisk(12), sphere = ellipsoid();
+  EXPECT_EQ(toPlanarPoints(mapped<vtkAuthalicMap>(disk)->GetOutput()),
+            authalicMap(DiskMesh(disk), TargetMeasure(disk)).image);
+  EXPECT_EQ(toPoints(mapped<vtkSphericalAuthalicMap>(sphere)->GetOutput()),
+            sphericalAuthalicMap(SphereMesh(sphere), TargetMeasure(sphere)).image);
+}
+
+TEST(AuthalicFilters, AreExactByTheirOwnReport) {
+  const auto filter = mapped<vtkAuthalicMap>(bumpyDisk(12));
+  vtkPolyData* map = filter->GetOutput();
+  EXPECT_LT(field(map, "VertexMaxAbsLog"), 1e-9);
+  EXPECT_LT(field(map, "FaceResidual"), filter->GetTolerance());
+  EXPECT_EQ(field(map, "FlippedFaces"), 0);
+}
+
+TEST(ToroidalAuthalicFilter, OpensTheTorusAndSaysWhereEveryPointComesFrom) {
+  const TriangleMesh torus = torusMesh(30, 14);
+  const auto input = polyData(torus);
+  vtkNew<vtkDoubleArray> thickness;
+  thickness->SetName("Thickness");
+  for (int v = 0; v < torus.vertexCount(); ++v) thickness->InsertNextValue(v);
+  input->GetPointData()->AddArray(thickness);
+  vtkNew<vtkToroidalAuthalicMap> filter;
+  filter->SetInputData(input);
+  filter->SetTolerance(0.05);
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput();
+  AuthalicMapOptions options;
+  options.tolerance = 0.05;
+  const ToroidalAuthalicMapResult core = toroidalAuthalicMap(TorusMesh(torus), TargetMeasure(torus), options);
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(map), core.image);
+  EXPECT_EQ(map->GetNumberOfPolys(), torus.faceCount());
+  auto* ids = vtkIdTypeArray::SafeDownCast(map->GetPointData()->GetArray("OriginalPointIds"));
+  ASSERT_NE(ids, nullptr);
+  ASSERT_GT(ids->GetNumberOfTuples(), torus.vertexCount());
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i) {
+    EXPECT_EQ(map->GetPointData()->GetArray("Thickness")->GetComponent(i, 0), static_cast<double>(ids->GetValue(i)));
+  }
+  EXPECT_LT(field(map, "VertexMaxAbsLog"), 1e-9);
+  EXPECT_LT(field(map, "SeamError"), 1e-12);
+  EXPECT_EQ(map->GetFieldData()->GetArray("Periods")->GetNumberOfTuples(), 4);
+  const int copy = torus.vertexCount();
+  EXPECT_EQ(surfaceOfMap(map).point(copy), torus.point(static_cast<int>(ids->GetValue(copy))));
+}
+
+TEST(ToroidalAuthalicFilter, BecomesTextureCoordinatesOfTheOpenedSurface) {
+  vtkNew<vtkToroidalAuthalicMap> filter;
+  filter->SetInputData(polyData(torusMesh(30, 14)));
+  filter->SetTolerance(0.05);
+  filter->SetOutputModeToTextureCoordinates();
+  filter->Update();
+  ASSERT_NE(filter->GetOutput()->GetPointData()->GetTCoords(), nullptr);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 30 * 14);
+}
+
+TEST(ToroidalAuthalicFilter, RefusesASphere) {
+  const auto filter = mapped<vtkToroidalAuthalicMap>(sphereMesh(2));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
