@@ -45,7 +45,8 @@ VerbHelp mapHelp(const MapOptions& o) {
       "\n\nauthalic info says what the topology of SURFACE is, authalic cut makes a disk of a closed cortex.\n\n"
       "MAP.vtp holds the image (z = 0 in the plane, double precision) with vertices and faces in the order of "
       "the input, the point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target "
-      "share), AngleDistortion and Flipped, and every metric in its field data.";
+      "share), AngleDistortion, BeltramiCoefficient and Flipped, and every metric and the histograms of both "
+      "distortions in its field data.";
   help.examples = {
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
       "  area-preserving map to the unit disk",
@@ -122,7 +123,7 @@ void runMap(const MapOptions& o, const Session& session) {
 void declareOutputs(CLI::App* verb, MapOptions& o) {
   verb->add_option("-o,--output", o.output, "The map.")->type_name("MAP.vtp")->required();
   verb->add_option("--report", o.report,
-                   "Status, residual history, seconds, metrics, flips, topology, options, version.")
+                   "Status, residual history, seconds, metrics, flips, histograms, topology, options, version.")
       ->type_name("REPORT.json");
   verb->add_flag("--texture-coordinates", o.textureCoordinates,
                  "The points stay the surface; the image becomes texture coordinates in [0, 1].");
