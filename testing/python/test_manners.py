@@ -416,6 +416,18 @@ class Manners(unittest.TestCase):
         with self.assertRaises(authalic.InvalidArgument):
             authalic.SurfaceMap.from_filter(algorithm)
 
+    @each(is_map)
+    def test_a_map_comes_with_the_statistics_of_every_map(self, name, case):
+        algorithm, _ = made(name)
+        update(algorithm)
+        cells, report = outputs(algorithm)[0].GetCellData(), json.loads(algorithm.GetReport())
+        moduli = np.linalg.norm(vtk_to_numpy(cells.GetArray("BeltramiCoefficient")), axis=1)
+        self.assertAlmostEqual(report["metrics"]["beltrami_mean"], np.nanmean(np.minimum(moduli, 1 / moduli)), 9)
+        self.assertAlmostEqual(report["metrics"]["beltrami_p50"], np.nanmedian(np.minimum(moduli, 1 / moduli)), 9)
+        corners, counted = 3 * cells.GetNumberOfTuples(), report["histograms"]["angle_error_degrees"]
+        self.assertEqual(sum(counted["counts"]) + sum(counted[k] for k in ("below", "above", "undefined")), corners)
+        self.assertEqual(len(report["histograms"]), 5)
+
     @each()
     def test_two_of_a_kind_share_nothing(self, name, case):
         (one, _), (two, _) = made(name), made(name)
