@@ -64,6 +64,7 @@ class MapFamily {
 [[nodiscard]] std::unique_ptr<MapFamily> conformalFlowFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> leastSquaresConformalFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> symmetricDirichletFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> sphereFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
