@@ -51,18 +51,18 @@ int main(int argc, char** argv) {
   cut->SetRegionModeToPlane();
   cut->SetPlaneOrigin(plane);
   cut->SetPlaneNormal(plane + 3);
-  vtkNew<vtkAuthalicMap> map;
-  map->SetInputConnection(cut->GetOutputPort());
+  vtkNew<vtkAuthalicMap> exact;
+  exact->SetInputConnection(cut->GetOutputPort());
 
   vtkNew<vtkCallbackCommand> speaker, bar;
   speaker->SetCallback(say);
   bar->SetCallback(progress);
-  const std::array<vtkSurfaceAlgorithm*, 3> filters = {reader.Get(), cut.Get(), map.Get()};
+  const std::array<vtkSurfaceAlgorithm*, 3> filters = {reader.Get(), cut.Get(), exact.Get()};
   for (vtkSurfaceAlgorithm* filter : filters) {
     filter->AddObserver(vtkCommand::ErrorEvent, speaker);
     filter->AddObserver(vtkCommand::ProgressEvent, bar);
   }
-  map->Update();  // the whole pipeline
+  exact->Update();  // the whole pipeline
   std::cerr << "\n";
   for (vtkSurfaceAlgorithm* filter : filters) {
     const int kind = filter->GetErrorKind();
@@ -71,10 +71,10 @@ int main(int argc, char** argv) {
 
   vtkNew<vtkSurfaceFileWriter> writer;
   writer->SetFileName(argv[2]);
-  writer->SetInputConnection(map->GetOutputPort());
+  writer->SetInputConnection(exact->GetOutputPort());
   if (!writer->Write()) return writer->GetErrorKind();
-  std::cout << map->GetOutput()->GetNumberOfPoints() << " vertices, total area distortion "
-            << number(map->GetOutput(), "TotalAreaDistortion") << " (ideal 2), flipped faces "
-            << number(map->GetOutput(), "FlippedFaces") << "\n";
-  return map->GetErrorKind();
+  std::cout << exact->GetOutput()->GetNumberOfPoints() << " vertices, total area distortion "
+            << number(exact->GetOutput(), "TotalAreaDistortion") << " (ideal 2), flipped faces "
+            << number(exact->GetOutput(), "FlippedFaces") << "\n";
+  return exact->GetErrorKind();
 }
