@@ -43,7 +43,8 @@ assert np.array_equal(surface.points[disk.point_arrays["OriginalPointIds"]], dis
 # %% [markdown]
 # ## A map
 #
-# `flatten` gives every vertex a place. `authalic` preserves areas; `methods()` lists the others with their options.
+# `flatten` gives every vertex a place. `authalic`, the default, preserves areas; `methods()` lists the others with
+# their options.
 
 # %%
 print(list(authalic.methods()))

@@ -6,7 +6,7 @@
 Copy this file and change it: it is one VTK pipeline per hemisphere,
 
     vtkVolumeFileReader -> vtkCorticalSurface -> SulcalDepth -> vtkSampleVolumeOnSurface -> vtkLabelsOnSurface
-        -> vtkCutToDisk -> vtkBarycentricMap -> vtkAuthalicMap -> UprightMap -> vtkElementGrid
+        -> vtkCutToDisk -> vtkBarycentricMap, vtkAuthalicMap -> UprightMap -> vtkElementGrid
         -> vtkElementStatistics
 
 Every filter is an ordinary VTK filter; the files beside this one draw pictures and write reports.

@@ -48,9 +48,9 @@ ROWS = [
     ("whole elements: mean deviation from equal area in %, initial map", _map(INITIAL, "InteriorMeanDeviation", 100)),
     ("whole elements: mean deviation from equal area in %, area-preserving map",
      _map(AUTHALIC, "InteriorMeanDeviation", 100)),
-    ("area-preserving map: status", _map(AUTHALIC, "Status")),
-    ("area-preserving map: steps", _map(AUTHALIC, "Iterations")),
-    ("area-preserving map: largest |ln| of a vertex's share over its target", _map(AUTHALIC, "VertexResidual")),
+    ("solve: status", _map(AUTHALIC, "Status")),
+    ("solve: steps", _map(AUTHALIC, "Iterations")),
+    ("solve: largest |ln| of a vertex's share over its target", _map(AUTHALIC, "VertexResidual")),
 ]
 
 

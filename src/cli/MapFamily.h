@@ -22,6 +22,7 @@ struct SharedMapOptions {
   std::optional<std::string> domain, initial;
   std::optional<double> tolerance;
   std::optional<int> maxIterations;
+  bool noUnfold = false;
   SpaceOption space;
 };
 
@@ -34,8 +35,8 @@ class MapFamily {
   [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
   /// What they do, for which surfaces, to which domains: a paragraph of the help page.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What those of "--initial", "--tolerance" and "--max-iterations" that the methods take mean to them, with the
-  /// default.
+  /// What those of "--initial", "--tolerance", "--max-iterations" and "--no-unfold" that the methods take mean to
+  /// them, with the default.
   [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
   /// Declare the family's own options through own().
   virtual void declare(CLI::App*) {}
@@ -58,7 +59,12 @@ class MapFamily {
 
 [[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> lieAdvectionFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> authalicFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> conformalFlowFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> leastSquaresConformalFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> symmetricDirichletFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> sphereFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);

@@ -14,6 +14,11 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(barycentricFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
+  families.push_back(lieAdvectionFamily());
+  families.push_back(conformalFlowFamily());
+  families.push_back(leastSquaresConformalFamily());
+  families.push_back(symmetricDirichletFamily());
+  families.push_back(sphereFamily());
   return families;
 }
 
@@ -44,16 +49,20 @@ VerbHelp mapHelp(const MapOptions& o) {
       "\n\nauthalic info says what the topology of SURFACE is, authalic cut makes a disk of a closed cortex.\n\n"
       "MAP.vtp holds the image (z = 0 in the plane, double precision) with vertices and faces in the order of "
       "the input, the point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target "
-      "share), AngleDistortion and Flipped, and every metric in its field data.";
+      "share), AngleDistortion, BeltramiCoefficient and Flipped, and every metric and the histograms of both "
+      "distortions in its field data.";
   help.examples = {
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file"};
+      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file",
+      "authalic map sphere lh.pial -o lh.sphere.vtp --report lh.sphere.json\n"
+      "  conformal map of a closed surface to the unit sphere"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
-                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003"};
+                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003",
+                     "Gu et al. 2004; Haker et al. 2000; Kazhdan et al. 2012; Nadeem et al. 2017 (spheres)"};
   return help;
 }
 
@@ -118,7 +127,7 @@ void runMap(const MapOptions& o, const Session& session) {
 void declareOutputs(CLI::App* verb, MapOptions& o) {
   verb->add_option("-o,--output", o.output, "The map.")->type_name("MAP.vtp")->required();
   verb->add_option("--report", o.report,
-                   "Status, residual history, seconds, metrics, flips, topology, options, version.")
+                   "Status, residual history, seconds, metrics, flips, histograms, topology, options, version.")
       ->type_name("REPORT.json");
   verb->add_flag("--texture-coordinates", o.textureCoordinates,
                  "The points stay the surface; the image becomes texture coordinates in [0, 1].");
@@ -139,9 +148,11 @@ std::string meanings(const MapOptions& o, const std::string& option) {
 }
 
 void declareShared(CLI::App* verb, MapOptions& o) {
-  verb->add_option("--domain", o.shared.domain,
-                   "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
-                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1).")
+  verb->add_option(
+          "--domain", o.shared.domain,
+          "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
+          "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
+          "annulus, circle-domain, free.")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
@@ -151,7 +162,9 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--initial", o.shared.initial, meanings(o, "--initial"))->type_name("METHOD|MAP.vtp"),
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
-          ->type_name("N")->check(notNegative())};
+          ->type_name("N")->check(notNegative()),
+      verb->add_flag("--no-unfold", o.shared.noUnfold,
+                     "Leave folded faces as they are. " + meanings(o, "--no-unfold"))};
 }
 
 }  // namespace

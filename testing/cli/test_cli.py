@@ -64,7 +64,7 @@ class CommandLine(unittest.TestCase):
 
 class Help(CommandLine):
     def test_every_verb_has_a_page_with_examples_and_exit_codes(self):
-        for verb in ("info", "map", "cut", "extract", "sample", "elements", "convert"):
+        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "convert"):
             page = self.succeeds(verb, "--help")
             for section in ("SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "OPTIONS", "EXAMPLES", "EXIT CODES"):
                 self.assertIn(section, page, verb)
@@ -91,6 +91,15 @@ class Usage(CommandLine):
             for value in values:
                 words = self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", option, value)
                 self.assertLess(len(words), 160, words)
+
+    def test_options_of_a_sphere_that_do_not_fit_are_2(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        for words in (("--domain", "disk"), ("--initial", "tutte"), ("--rotation", "landmarks"),
+                      ("--landmarks", "3", "3"), ("--landmarks", "3"), ("--landmarks", "3", "9999999"),
+                      ("--rotation", "none", "--landmarks", "3", "4"), ("--punctured-face", "9999999"),
+                      ("--tolerance", "0"), ("--step-ratio", "0.5")):
+            self.fails(2, "map", "sphere", sphere, "-o", "m.vtp", *words)
+        self.assertIn("sphere", self.fails(2, "map", "welding", sphere, "-o", "m.vtp", "--initial", "harmonic"))
 
     def test_a_domain_that_is_none_is_2(self):
         for domain in ("foo", "rectangle", "rectangle:", "rectangle:0", "rectangle:-1", "rectangle:nan",
@@ -263,6 +272,13 @@ class Surfaces(CommandLine):
             for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
                 self.assertIn("disk is required", self.fails(3, "map", method, f"{name}.off", "-o", "m.vtp"))
 
+    def test_what_is_no_sphere_is_3_with_where_and_what_would_help(self):
+        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
+        for method in ("sphere", "welding"):
+            self.assertIn("genus 1", self.fails(3, "map", method, torus, "-o", "m.vtp"))
+            words = self.fails(3, "map", method, self.sheet, "-o", "m.vtp")
+            self.assertRegex(words, r"sphere is required.*1 boundary loop.* near \(.*\) mm; close it")
+
     def test_a_closed_surface_is_3(self):
         torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
         self.assertIn("boundary loop", self.fails(3, "map", "lie-flow", torus, "-o", "m.vtp"))
@@ -331,6 +347,40 @@ class Results(CommandLine):
             for other in (1, 2):
                 self.assertTrue(maps[0] == maps[other], f"{method}: bytes of the map differ")
                 self.assertEqual(reports[0], reports[other], method)
+
+    def test_a_sphere_has_the_same_bytes_at_any_thread_count_and_every_road_leads_to_it(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        for words in (("sphere",), ("welding",), ("sphere", "--initial", "mean-curvature-flow"),
+                      ("sphere", "--initial", "stereographic", "--rotation", "principal-axes")):
+            for threads in (1, 2):
+                self.succeeds("map", *words, sphere, "-o", f"{threads}.vtp", "--report", "r.json", "--threads", threads)
+            self.assertTrue((self.here / "1.vtp").read_bytes() == (self.here / "2.vtp").read_bytes(), words)
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual((report["method"], report["status"], report["flips"]), (words[0], "converged", 0))
+            self.assertLess(report["centre_of_mass"], 1e-10)
+            self.assertLess(report["metrics"]["angle_distortion"], 2.05)
+
+    def test_two_halves_weld_to_a_sphere_and_others_do_not(self):
+        halves = [pathlib.Path(ARGUMENTS.fixtures) / f"{side}_shell.off" for side in ("upper", "lower")]
+        maps = ["upper.vtp", "lower.vtp"]
+        for half, image in zip(halves, maps):
+            self.succeeds("map", "mean-value", half, "-o", image)
+        self.succeeds("weld", *maps, "-o", "sphere.vtp", "--report", "r.json")
+        report = json.loads((self.here / "r.json").read_text())
+        self.assertEqual((report["method"], report["flips"], report["topology"]["euler_characteristic"]),
+                         ("conformal-welding", 0, 2))
+        self.assertLess(report["boundary_mismatch"], 1e-10)
+        self.succeeds("map", "tutte", self.sheet, "-o", "sheet.vtp")
+        self.assertIn("same number", self.fails(3, "weld", maps[0], "sheet.vtp", "-o", "s.vtp"))
+        self.assertIn("OriginalPoints", self.fails(2, "weld", *halves, "-o", "s.vtp"))
+        self.assertIn("Seam", self.fails(2, "weld", *maps, "-o", "s.vtp", "--signature", "Seam"))
+        self.assertIn("is required", self.fails(3, "weld", maps[0], maps[0], "-o", "s.vtp"))
+
+    def test_a_sphere_that_did_not_converge_is_4(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        words = ["map", "sphere", sphere, "-o", "m.vtp", "--max-iterations", "1", "--quiet"]
+        self.assertEqual(self.run_verb(*words).returncode, 4)
+        self.succeeds(*words, "--allow-nonconverged")
 
     def test_elements_are_the_same_in_two_runs_and_at_any_thread_count(self):
         for name, threads in (("a", 1), ("b", 2), ("c", 2)):

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <iostream>
 
+#include <vtkAuthalicMap.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkCutToDisk.h>
 #include <vtkDataArray.h>
-#include <vtkAuthalicMap.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>

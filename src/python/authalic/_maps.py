@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere" or "annulus"."""
+    topology of surface that it takes: "disk", "sphere", "torus" or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -31,8 +31,18 @@ METHODS: dict[str, Method] = {
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
     "authalic": Method("vtkAuthalicMap"),
+    "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
+    "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
-    "spherical-authalic": Method("vtkSphericalAuthalicMap", surface="sphere"),
+    "lie-advection": Method("vtkLieAdvection"),
+    "riemann": Method("vtkRiemannMap"),
+    "yamabe": Method("vtkYamabeMap"),
+    "lscm": Method("vtkLeastSquaresConformalMap"),
+    "slim": Method("vtkSymmetricDirichletMap"),
+    "annulus": Method("vtkAnnulusMap", surface="annulus"),
+    "circle-domain": Method("vtkCircleDomainMap", surface="annulus"),
+    "sphere": Method("vtkSphericalConformalMap", surface="sphere"),
+    "welding": Method("vtkSphericalConformalMap", {"initial_method": "welding"}, surface="sphere"),
 }
 
 
@@ -41,12 +51,13 @@ class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
     image         (n, 2) in the plane, or (n, 3) on the sphere
-    points, faces the surface that was mapped, in its own order
+    points, faces the surface that was mapped, in its own order; cut open for a torus (point_arrays["OriginalPointIds"])
     status        "converged", "not-converged", "stalled" or "cancelled"
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
     metrics       {name: number}: area_distortion, angle_distortion (ideal 2), flipped_faces ...
-    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped
+    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped, and
+                  BeltramiCoefficient (m, 2)
     point_arrays  with VertexAreaDistortion (log2)
     report        everything that the filter reports: options, seconds, topology, version ...
     """
@@ -111,18 +122,22 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                Most methods need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
-    method      "authalic": preserves areas exactly at every vertex, or gives every region the share that `measure`
-                asks for; "lie-flow": the same, approximately, also on polygons that are not convex;
-                "tutte", "harmonic", "mean-value": barycentric maps; "spherical-authalic": of a closed surface of
-                genus 0 to the sphere; methods() has all with their options
+                Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+    method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
+                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                "lie-flow", "lie-advection": methods of the literature for it;
+                "tutte", "harmonic", "mean-value": barycentric maps;
+                "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
+                "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
+                a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
+                with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
                 corners of a polygon, (k, 2)
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
     initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
-                same domain
+                same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     threads     0 = every core; the result does not depend on it
@@ -147,7 +162,7 @@ def flatten(points: Any,
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
-    _set_initial(algorithm, method, mesh, initial, domain)
+    _set_initial(algorithm, method, mesh, initial)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -208,15 +223,13 @@ def _set_measure(algorithm, method, mesh, measure):
     algorithm.SetMeasureArrayName("Measure")
 
 
-def _set_initial(algorithm, method, mesh, initial, domain):
+def _set_initial(algorithm, method, mesh, initial):
     if initial is None:
         return
+    if "initial_method" in METHODS[method].settings:
+        raise InvalidArgument(f"Method {method} has a start of its own; leave initial out.")
     if isinstance(initial, str) and hasattr(algorithm, "SetInitialMethod"):
         return _filters.configure(algorithm, initial_method=initial)
-    if isinstance(initial, str) and hasattr(algorithm, "SetDomain"):
-        if initial not in ("tutte", "harmonic", "mean-value"):
-            raise InvalidArgument(f"initial must be tutte, harmonic, mean-value or a map; it is {initial!r}.")
-        initial = flatten(mesh, method=initial, domain=domain)
     if algorithm.GetNumberOfInputPorts() < 2:
         raise InvalidArgument(f"Method {method} does not start from a map; leave initial out.")
     image = _arrays.coordinates(getattr(initial, "image", initial), "initial")
@@ -234,21 +247,23 @@ class Distortion:
     """How much a map changes areas and angles.
 
     metrics       {name: number} of the map as a whole, named as in SurfaceMap.metrics
-    face_arrays   AreaDistortion, AngleDistortion, Flipped, Beltrami (m, 2), SigmaMax, SigmaMin
+    face_arrays   AreaDistortion, AngleDistortion, BeltramiCoefficient (m, 2), Flipped, SigmaMax, SigmaMin
     point_arrays  VertexAreaDistortion
+    histograms    {name: (bins + 3, 3)}: lower edge, upper edge and count; then what is below, above, undefined
     """
     metrics: dict[str, Any]
     face_arrays: dict[str, np.ndarray]
     point_arrays: dict[str, np.ndarray]
+    histograms: dict[str, np.ndarray]
 
     def __repr__(self) -> str:
         return f"Distortion({self.metrics})"
 
 
 def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Optional[Any] = None) -> Distortion:
-    """Metrics of any map to the plane, ours or another program's.
+    """Metrics of any map to the plane or to a sphere around 0, ours or another program's.
 
-    image          (n, 2), or a SurfaceMap's
+    image          (n, 2), (n, 3), or a SurfaceMap's
     points, faces  the surface, or one Surface or vtkPolyData
     measure        (m,) target measures of the faces, any scale; None = their areas on the surface
 
@@ -273,6 +288,7 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
     _filters.warn(_filters.run(algorithm)[1])
     done = Surface.from_vtk(algorithm.GetOutput())
     cells = {name: done.face_arrays[name] for name in
-             ("AreaDistortion", "AngleDistortion", "Flipped", "Beltrami", "SigmaMax", "SigmaMin")}
+             ("AreaDistortion", "AngleDistortion", "Flipped", "BeltramiCoefficient", "SigmaMax", "SigmaMin")}
     return Distortion(json.loads(algorithm.GetReport()), cells,
-                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]})
+                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]},
+                      {name: values for name, values in done.fields.items() if name.endswith("Histogram")})
