@@ -22,24 +22,9 @@ DistortionSummary exactMap(const std::string& path, const AuthalicMapOptions& op
   return measureDistortion(disk.mesh(), result.image).summary;
 }
 
-class AuthalicMapOnScansSlow : public ::testing::TestWithParam<const char*> {};
 class AuthalicMapOnCortexSlow : public ::testing::TestWithParam<const char*> {};
 
 }  // namespace
-
-TEST_P(AuthalicMapOnScansSlow, IsExactAtVerticesAndNearlySoAtFaces) {
-  const std::string path = sharedData(std::string("meshes/open_disk/") + GetParam() + ".off");
-  AUTHALIC_NEEDS(path);
-  const DistortionSummary summary = exactMap(path, {});
-  EXPECT_EQ(summary.flippedFaces, 0);
-  EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
-  EXPECT_LT(summary.faceMeanAbsLog, 5e-3);
-  EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
-}
-
-INSTANTIATE_TEST_SUITE_P(Disk, AuthalicMapOnScansSlow,
-                         ::testing::Values("chinese_lion", "human_face", "camelhead", "human_brain"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
 
 TEST(AuthalicMapToASquareSlow, IsExactAtVerticesAndNearlySoAtFaces) {
   const std::string path = sharedData("meshes/open_disk/chinese_lion.off");
