@@ -12,6 +12,10 @@ namespace {
 std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   std::vector<std::unique_ptr<MapFamily>> families;
   families.push_back(barycentricFamily());
+  families.push_back(leastSquaresFamily());
+  families.push_back(isometricFamily());
+  families.push_back(yamabeFamily());
+  families.push_back(riemannFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
   return families;
@@ -49,10 +53,15 @@ VerbHelp mapHelp(const MapOptions& o) {
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
+      "authalic map riemann lh.disk.vtp -o lh.map.vtp --centre face:1234\n"
+      "  conformal map to the unit disk, a face at the centre",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
       "  share of every vertex in proportion to its native area times its number in the file"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
+                     "Su et al. 2016, a unified framework of discrete Ricci flow; Luo 2004; Springborn et al. 2008",
+                     "Nadeem et al. 2017, spherical parameterization balancing angle and area distortions",
+                     "Levy et al. 2002; Mullen et al. 2008; Rabinovich et al. 2017; Smith et al. 2019",
                      "Tutte 1963; Pinkall and Polthier 1993; Floater 2003"};
   return help;
 }
@@ -101,14 +110,17 @@ void runMap(const MapOptions& o, const Session& session) {
   const MapFamily& family = familyOf(o);
   refuseForeignOptions(o, family);
   requireArrayFormat("--output", o.output);
-  requireWritable({o.output, o.report});
+  if (!o.shared.refinement.empty()) requireArrayFormat("--refinement", o.shared.refinement);
+  requireWritable({o.output, o.report, o.shared.refinement});
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.shared.space);
   const vtkSmartPointer<vtkSurfaceMapAlgorithm> filter = family.filter(o.method, o.shared, session);
   if (o.textureCoordinates) filter->SetOutputModeToTextureCoordinates();
   if (!o.measure.empty()) filter->SetMeasureArrayName(arrayOf(surface, o.measure, session));
+  family.addArrays(filter, surface, session);
   filter->SetInputData(0, surface);
   const int code = update(filter.Get(), session);
   writeSurface(o.output, filter->GetOutput());
+  if (!o.shared.refinement.empty()) writeSurface(o.shared.refinement, filter->GetOutput(1));
   if (!o.report.empty()) writeText(o.report, filter->GetReport());
   if (code != NotConverged || o.allowNonconverged) return;
   throw Failure(NotConverged, "The map did not reach the tolerance; the best one is in " + o.output +
@@ -139,9 +151,11 @@ std::string meanings(const MapOptions& o, const std::string& option) {
 }
 
 void declareShared(CLI::App* verb, MapOptions& o) {
-  verb->add_option("--domain", o.shared.domain,
-                   "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
-                   "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1).")
+  verb->add_option(
+          "--domain", o.shared.domain,
+          "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
+          "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
+          "free (the boundary takes its own shape, mm).")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
@@ -151,7 +165,12 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--initial", o.shared.initial, meanings(o, "--initial"))->type_name("METHOD|MAP.vtp"),
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
-          ->type_name("N")->check(notNegative())};
+          ->type_name("N")->check(notNegative()),
+      verb->add_option("--metric", o.shared.metric, meanings(o, "--metric"))->type_name("METRIC"),
+      verb->add_option("--radii", o.shared.radii, meanings(o, "--radii"))->type_name("RADII"),
+      verb->add_option("--start-vertex", o.shared.startVertex, meanings(o, "--start-vertex"))->type_name("V"),
+      verb->add_flag("--no-unfold", o.shared.noUnfold, meanings(o, "--no-unfold")),
+      verb->add_option("--refinement", o.shared.refinement, meanings(o, "--refinement"))->type_name("REFINED.vtp")};
 }
 
 }  // namespace

@@ -291,6 +291,10 @@ const char* conformalMetricName(ConformalMetric metric) noexcept {
   return metric == ConformalMetric::VertexScaling ? "vertex-scaling" : "circle-packing";
 }
 
+const char* packingRadiiName(PackingRadii radii) noexcept {
+  return radii == PackingRadii::Tangent ? "tangent" : "circumradius";
+}
+
 Eigen::VectorXd vertexCurvature(const IntrinsicTriangulation& triangulation, const Eigen::VectorXd& u) {
   Eigen::VectorXd curvature = Eigen::VectorXd::Zero(triangulation.vertexCount());
   std::vector<char> used(static_cast<std::size_t>(triangulation.vertexCount()), 0);
