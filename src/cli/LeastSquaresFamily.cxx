@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <vtkLeastSquaresConformalMap.h>
 #include <vtkNew.h>
 
@@ -33,8 +35,7 @@ class LeastSquaresFamily : public MapFamily {
     own(verb->add_option("--pin-vertices", vertices_,
                          "The two boundary vertices, from 0; default: those farthest apart in space. With spectral "
                          "they only fix the rotation."))
-        ->type_name("V W")
-        ->expected(2);
+        ->type_name("V W");
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
@@ -51,17 +52,15 @@ class LeastSquaresFamily : public MapFamily {
     }
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
-    if (!vertices_.empty()) {
-      map->SetFirstPin(vertices_[0]);
-      map->SetSecondPin(vertices_[1]);
-    }
+    map->SetFirstPin(vertices_.first);
+    map->SetSecondPin(vertices_.second);
     return map;
   }
 
  private:
   vtkNew<vtkLeastSquaresConformalMap> defaults_;
   std::optional<std::string> pins_;
-  std::vector<int> vertices_;
+  std::pair<int, int> vertices_{defaults_->GetFirstPin(), defaults_->GetSecondPin()};
 };
 
 }  // namespace

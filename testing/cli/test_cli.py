@@ -101,6 +101,29 @@ class Usage(CommandLine):
             (self.here / "corners.txt").write_text(corners)
             self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "polygon:corners.txt")
 
+    def test_options_of_the_conformal_maps_that_do_not_fit_are_2_in_words(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        (self.here / "turns.txt").write_text("0.1\n" * 1261)
+        for words, why in (("lscm --domain disk", "free"), ("lscm --tolerance 1e-3", "--pins spectral"),
+                           ("lscm --pin-vertices 0 1", "boundary"), ("lscm --pins three", "two-vertices"),
+                           ("lscm --metric circle-packing", "yamabe"), ("slim --boundary fixed", "--initial"),
+                           ("slim --domain torus", "disk"), ("slim --initial lscm", "tutte"),
+                           ("yamabe --domain square", "disk or free"), ("yamabe --domain free", "--curvature"),
+                           ("yamabe --domain disk --curvature turns.txt", "leave one out"),
+                           ("yamabe --curvature turns.txt", "inner vertices"),
+                           ("yamabe --curvature none", "array"), ("yamabe --radii tangent", "circle-packing"),
+                           ("yamabe --start-vertex 0", "boundary vertex"), ("yamabe --tolerance 0", "positive"),
+                           ("yamabe --road puncture", "riemann"), ("riemann --initial tutte", "slim"),
+                           ("riemann --puncture 3", "--road puncture"), ("riemann --centre face", "face:F"),
+                           ("riemann --centre vertex:999999", "999999"), ("riemann --domain square", "disk"),
+                           ("riemann --road puncture --refinement r.vtp", "boundary"),
+                           ("riemann --road puncture --puncture 999999", "999999")):
+            self.assertIn(why, self.fails(2, "map", *words.split(), disk, "-o", "m.vtp"), words)
+        self.succeeds("map", "riemann", disk, "-o", "start.vtp")
+        words = ("map", "slim", disk, "-o", "m.vtp", "--initial", "start.vtp")
+        self.assertIn("--boundary fixed", self.fails(2, *words, "--domain", "disk"))
+        self.assertIn("leave one out", self.fails(2, *words, "--domain", "free", "--boundary", "fixed"))
+
     def test_a_measure_that_is_no_positive_density_is_2(self):
         for first in ("0", "-1", "nan", "inf"):
             (self.here / "measure.txt").write_text(f"{first}\n" + "1\n" * 624)
@@ -260,7 +283,7 @@ class Surfaces(CommandLine):
             lines = [f"OFF\n{len(points)} {len(faces)} 0"] + [f"{x} {y} {z}" for x, y, z in points]
             (self.here / f"{name}.off").write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n")
             self.succeeds("info", f"{name}.off")
-            for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
+            for method in ("tutte", "harmonic", "mean-value", "lscm", "slim", "yamabe", "riemann", "lie-flow"):
                 self.assertIn("disk is required", self.fails(3, "map", method, f"{name}.off", "-o", "m.vtp"))
 
     def test_a_closed_surface_is_3(self):
@@ -310,6 +333,38 @@ class Results(CommandLine):
         self.assertIn("--initial", self.fails(2, "map", "authalic", torus, "-o", "s.vtp", "--domain", "torus",
                                               "--initial", "t.vtp"))
 
+    def test_conformal_maps_take_curvatures_starts_and_give_their_refinement(self):
+        count = 25 * 25
+        turns = [0.0] * count
+        for corner in (0, 24, 600, 624):
+            turns[corner] = math.pi / 2
+        (self.here / "turns.txt").write_text("\n".join(map(repr, turns)) + "\n")
+        self.succeeds("map", "yamabe", self.sheet, "-o", "y.vtp", "--curvature", "turns.txt", "--report", "y.json",
+                      "--refinement", "refined.vtp")
+        report = json.loads((self.here / "y.json").read_text())
+        self.assertEqual((report["status"], report["flips"], report["refinement_flipped_faces"]), ("converged", 0, 0))
+        self.assertLess(report["curvature_residual"], 1e-10)
+        self.assertIn(b"OriginalCellIds", (self.here / "refined.vtp").read_bytes())
+        for name in (b"LogScale", b"Curvature", b"OriginalPoints"):
+            self.assertIn(name, (self.here / "y.vtp").read_bytes())
+        self.succeeds("map", "slim", self.sheet, "-o", "s.vtp", "--initial", "y.vtp", "--boundary", "fixed",
+                      "--report", "s.json")
+        self.succeeds("map", "slim", self.sheet, "-o", "d.vtp", "--domain", "disk", "--report", "d.json")
+        fixed, disk = (json.loads((self.here / name).read_text()) for name in ("s.json", "d.json"))
+        self.assertEqual((fixed["options"]["initial"], disk["options"]["boundary"]), ("given", "fixed"))
+        self.assertLess(fixed["isometric_energy"], disk["isometric_energy"])  # a square sheet stays a square
+        self.assertEqual((fixed["flips"], disk["flips"]), (0, 0))
+
+    def test_the_two_roads_of_the_riemann_map_agree_and_the_centre_is_the_chosen_face(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for road in ("boundary", "puncture"):
+            self.succeeds("map", "riemann", disk, "-o", f"{road}.off.vtp", "--road", road, "--centre", "face:40",
+                          "--report", f"{road}.json")
+        one, two = (json.loads((self.here / f"{road}.json").read_text()) for road in ("boundary", "puncture"))
+        self.assertEqual(one["options"]["centre_id"], 40)
+        self.assertNotEqual(one["metrics"], two["metrics"])
+        self.assertLess(abs(one["metrics"]["area_distortion"] / two["metrics"]["area_distortion"] - 1), 0.02)
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]
@@ -320,7 +375,7 @@ class Results(CommandLine):
 
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
         disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
+        for method in ("tutte", "harmonic", "mean-value", "lscm", "slim", "yamabe", "riemann", "lie-flow"):
             maps, reports = [], []
             for name, threads in (("a", 1), ("b", 1), ("c", 2)):
                 self.succeeds("map", method, disk, "-o", f"{name}.vtp", "--report", f"{name}.json",

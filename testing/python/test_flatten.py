@@ -141,6 +141,26 @@ class Results(unittest.TestCase):
         self.assertTrue(np.array_equal(images[0], images[1]) and np.array_equal(images[1], images[2]))
         self.assertFalse(np.array_equal(images[0], authalic.flatten(points, faces).image))
 
+    def test_a_square_stays_a_square_when_its_corners_are_asked_for(self):
+        points, faces = square_sheet()
+        turns = np.where(np.isin(points[:, 0], (0, 1)) & np.isin(points[:, 1], (0, 1)), np.pi / 2, 0.0)
+        result = authalic.flatten(points, faces, "yamabe", curvature=turns, refine=True)
+        self.assertLess(np.ptp(np.linalg.norm(result.image[turns > 0], axis=1)), 1e-9)
+        self.assertLess(np.abs(result.point_arrays["LogScale"]).max(), 1e-9)
+        self.assertEqual(result.refinement.faces.shape[1], 3)
+        named = authalic.Surface(points, faces, {"Turns": turns})
+        self.assertTrue(np.array_equal(authalic.flatten(named, method="yamabe", curvature="Turns").image, result.image))
+        self.assertIsNone(authalic.flatten(points, faces, "yamabe").refinement)
+
+    def test_slim_keeps_the_boundary_of_a_domain_that_was_asked_for(self):
+        points, faces = bumpy_disk()
+        free, disk = (authalic.flatten(points, faces, "slim", domain) for domain in (None, "disk"))
+        self.assertTrue(np.array_equal(free.image, authalic.flatten(points, faces, "slim", "free").image))
+        self.assertAlmostEqual(np.linalg.norm(disk.image, axis=1).max(), 1.0)
+        self.assertLess(free.report["isometric_energy"], disk.report["isometric_energy"])
+        again = authalic.flatten(points, faces, "slim", initial=disk, boundary="fixed")
+        self.assertLess(np.abs(again.image - disk.image).max(), 1e-4)
+
     def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
         points, faces = square_sheet(4)
         expected = authalic.flatten(points, faces, "mean-value").image
@@ -201,6 +221,10 @@ class Failures(unittest.TestCase):
         self.refuses(authalic.InvalidArgument, "harmonic", initial="nowhere")
         self.refuses(authalic.InvalidArgument, "initial", initial=np.zeros((3, 2)))
         self.refuses(authalic.InvalidArgument, "initial", method="tutte", initial="harmonic")
+        self.refuses(authalic.InvalidArgument, "curvature", method="riemann", curvature=np.zeros(25))
+        self.refuses(authalic.InvalidArgument, "curvature", method="yamabe", curvature=np.zeros(24))
+        self.refuses(authalic.InvalidArgument, "Gauss", method="yamabe", curvature=np.zeros(25))
+        self.refuses(authalic.InvalidArgument, "one domain", method="lscm", domain="disk")
         self.refuses(authalic.InvalidArgument, "callable", progress=3)
         self.refuses(authalic.InvalidArgument, "on_not_converged", on_not_converged="shrug")
 

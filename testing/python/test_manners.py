@@ -87,6 +87,10 @@ CORNER = {"AddPolygonCorner": (1.0, 2.0)}
 CASES = {
     "vtkBarycentricMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkDiscreteLieFlow": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkLeastSquaresConformalMap": Case((disk,), wrong=(0, ball)),
+    "vtkSymmetricDirichletMap": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkYamabeMap": Case((disk,), {"Refine": True}, wrong=(0, ball)),
+    "vtkRiemannMap": Case((disk,), {"Refine": True}, wrong=(0, ball)),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

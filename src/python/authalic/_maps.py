@@ -30,6 +30,10 @@ METHODS: dict[str, Method] = {
     "tutte": Method("vtkBarycentricMap", {"method": "tutte"}),
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
+    "lscm": Method("vtkLeastSquaresConformalMap"),
+    "slim": Method("vtkSymmetricDirichletMap"),
+    "yamabe": Method("vtkYamabeMap"),
+    "riemann": Method("vtkRiemannMap"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
 }
 
@@ -47,6 +51,8 @@ class SurfaceMap(Surface):
     face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped
     point_arrays  with VertexAreaDistortion (log2)
     report        everything that the filter reports: options, seconds, topology, version ...
+    refinement    with refine=True: the surface cut along the edges of the flow's triangulation, as a Surface whose
+                  points are the image (0 in z) and whose point array OriginalPoints is the surface; else None
     """
     image: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros((0, 2)))
     status: str = "not-run"
@@ -54,6 +60,7 @@ class SurfaceMap(Surface):
     residuals: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros(0))
     metrics: dict[str, Any] = dataclasses.field(default_factory=dict)
     report: dict[str, Any] = dataclasses.field(default_factory=dict)
+    refinement: Optional[Surface] = None
 
     @property
     def converged(self) -> bool:
@@ -68,10 +75,12 @@ class SurfaceMap(Surface):
         report = json.loads(algorithm.GetReport())
         drawn = Surface.from_vtk(algorithm.GetOutput())
         planar = not drawn.points[:, 2].any()
+        refined = hasattr(algorithm, "GetRefine") and algorithm.GetRefine()
         arrays = dict(drawn.point_arrays)
         return cls(arrays.pop("OriginalPoints"), drawn.faces, arrays, drawn.face_arrays, drawn.fields,
                    drawn.points[:, :2].copy() if planar else drawn.points, report["status"], report["iterations"],
-                   np.array(report["residual_history"], dtype=float), report["metrics"], report)
+                   np.array(report["residual_history"], dtype=float), report["metrics"], report,
+                   Surface.from_vtk(algorithm.GetOutput(1)) if refined else None)
 
     def to_vtk(self) -> Any:
         """The map as the filters know it: points are the image, the point array OriginalPoints is the surface."""
@@ -88,7 +97,7 @@ class SurfaceMap(Surface):
 
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
-    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "output_mode")
+    hidden = ("domain", "aspect", "measure_array_name", "curvature_array_name", "initial_method", "output_mode")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
@@ -102,6 +111,7 @@ def flatten(points: Any,
             tolerance: Optional[float] = None,
             max_iterations: Optional[int] = None,
             *,
+            curvature: Any = None,
             threads: int = 0,
             progress: Progress = None,
             on_not_converged: str = "warn",
@@ -111,9 +121,12 @@ def flatten(points: Any,
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
                 The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
-                "tutte", "harmonic", "mean-value": barycentric maps; methods() has all with their options
+                "tutte", "harmonic", "mean-value": barycentric maps;
+                "riemann": conformal, onto the unit disk; "yamabe": conformal, to a round disk, or with `curvature`
+                to the domain whose boundary turns as it says; "lscm": conformal, with a free boundary;
+                "slim": as isometric as can be, boundary="free" or "fixed"; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2)
+                corners of a polygon, (k, 2). "slim" fixes its boundary there; its None is "free": the boundary moves
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
@@ -121,6 +134,8 @@ def flatten(points: Any,
                 same domain
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
+    curvature   of "yamabe": the angle by which the boundary turns at each vertex (n), radians, 0 at inner vertices,
+                2 pi in all, or the name of such an array; None = a circle
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
@@ -144,6 +159,7 @@ def flatten(points: Any,
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
     _set_initial(algorithm, method, mesh, initial)
+    _set_curvature(algorithm, method, mesh, curvature)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -172,6 +188,10 @@ def _set_domain(algorithm, method, domain):
         return
     if not hasattr(algorithm, "SetDomain"):
         raise InvalidArgument(f"Method {method} has one domain only; leave domain out.")
+    if hasattr(algorithm, "SetBoundary"):
+        _filters.configure(algorithm, boundary="free" if domain == "free" else "fixed")
+        if domain == "free":
+            return
     if isinstance(domain, str):
         if domain in ("rectangle", "polygon"):
             raise InvalidArgument('domain must be ("rectangle", aspect) or the corners of a polygon, (k, 2).')
@@ -202,6 +222,19 @@ def _set_measure(algorithm, method, mesh, measure):
     mesh.GetPointData().RemoveArray("Measure")
     _arrays.add_arrays(data, {"Measure": values}, len(values), "rows")
     algorithm.SetMeasureArrayName("Measure")
+
+
+def _set_curvature(algorithm, method, mesh, curvature):
+    if curvature is None:
+        return
+    if not hasattr(algorithm, "SetCurvatureArrayName"):
+        raise InvalidArgument(f"Method {method} takes no curvature; leave it out.")
+    if isinstance(curvature, str):
+        return algorithm.SetCurvatureArrayName(curvature)
+    vertices = mesh.GetNumberOfPoints()
+    _arrays.add_arrays(mesh.GetPointData(), {"TargetCurvature": _arrays.numbers(curvature, "curvature", (vertices,))},
+                       vertices, "vertices")
+    algorithm.SetCurvatureArrayName("TargetCurvature")
 
 
 def _set_initial(algorithm, method, mesh, initial):
