@@ -56,7 +56,7 @@ VerbHelp mapHelp(const MapOptions& o) {
       "authalic map riemann lh.disk.vtp -o lh.map.vtp --centre face:1234\n"
       "  conformal map to the unit disk, a face at the centre",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-      "  share of every vertex in proportion to its native area times its number in the file"};
+      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
                      "Su et al. 2016, a unified framework of discrete Ricci flow; Luo 2004; Springborn et al. 2008",
