@@ -54,6 +54,20 @@ TEST(YamabeMap, BendsADiskIntoARectangleWithStraightSides) {
   }
 }
 
+TEST(YamabeMap, SpreadsTheRoundingOfTargetsAndRefusesMore) {
+  const DiskMesh disk(bumpyDisk(6));
+  const auto& boundary = disk.boundary();
+  YamabeMapOptions options;
+  options.curvature = Eigen::VectorXd::Zero(disk.mesh().vertexCount());
+  for (std::size_t k = 0; k < 3; ++k) options.curvature[boundary[k * boundary.size() / 3]] = 2.09440;
+  const YamabeMapResult rounded = yamabeMap(disk, options);
+  EXPECT_EQ(rounded.status, Status::Converged);
+  EXPECT_NEAR(rounded.curvature.sum(), 2 * M_PI, 1e-12);
+  EXPECT_NEAR(rounded.curvature[boundary[1]], 0, 1e-10);  // straight sides stay straight
+  options.curvature[boundary[0]] = 2.095;
+  EXPECT_THROW(static_cast<void>(yamabeMap(disk, options)), InvalidArgument);
+}
+
 TEST(YamabeMap, OntoACircleIsTheRiemannMapBeforeItsNormalisation) {
   const DiskMesh disk(bumpyDisk(12));
   const YamabeMapResult result = yamabeMap(disk);

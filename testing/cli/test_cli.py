@@ -78,7 +78,7 @@ class Usage(CommandLine):
         self.fails(2)
         self.fails(2, "fold", "x")
         self.fails(2, "map", "tutte")
-        self.assertIn("lie-flow", self.fails(2, "map", "slim", self.sheet, "-o", "m.vtp"))
+        self.assertIn("lie-flow", self.fails(2, "map", "mercator", self.sheet, "-o", "m.vtp"))
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "sphere")
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "rectangle:wide")
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--tolerance", "1")

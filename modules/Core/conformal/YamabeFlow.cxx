@@ -38,7 +38,7 @@ void requireAdmissible(const IntrinsicTriangulation& triangulation, const Eigen:
   if (std::abs(target.sum() - total) > 1e-9 * (1 + std::sqrt(static_cast<double>(n)))) {
     throw InvalidArgument("Target curvatures with sum 2π χ = " + std::to_string(total) +
                           " are required (Gauss-Bonnet), but their sum is " + std::to_string(target.sum()) +
-                          ".");
+                          ", off by " + std::to_string(target.sum() - total) + ".");
   }
 }
 

@@ -14,6 +14,8 @@
 namespace authalic {
 namespace {
 
+constexpr double kRounding = 1e-4;  // of the sum of target curvatures, radians
+
 int startVertexOf(const DiskMesh& disk, int startVertex) {
   if (startVertex == -1) return disk.boundary().front();
   if (std::find(disk.boundary().begin(), disk.boundary().end(), startVertex) == disk.boundary().end()) {
@@ -38,6 +40,13 @@ void requireFlatInside(const DiskMesh& disk, const Eigen::VectorXd& curvature) {
   }
 }
 
+// Files round the parts of a whole turn.
+Eigen::VectorXd wholeTurn(const Eigen::VectorXd& curvature) {
+  const double missing = 2 * M_PI - curvature.sum(), all = curvature.cwiseAbs().sum();
+  if (!(std::abs(missing) <= kRounding)) return curvature;
+  return curvature + missing / all * curvature.cwiseAbs();
+}
+
 // Area and centroid of the surface onto the image, the start vertex onto the positive x axis; u follows the scale.
 Points2 place(const DiskMesh& disk, Points2 image, int start, Eigen::VectorXd& logScale) {
   const Eigen::VectorXd areas = faceAreas(disk.mesh());
@@ -57,7 +66,7 @@ YamabeFlowResult flowOf(const DiskMesh& disk, const YamabeMapOptions& options, c
   IntrinsicTriangulation triangulation(disk.mesh(), disk.topology());
   if (options.refine) triangulation.trackCrossings();
   std::vector<BoundaryCircle> circles;
-  Eigen::VectorXd target = options.curvature;
+  Eigen::VectorXd target = wholeTurn(options.curvature);
   if (target.size() == 0) {
     target = Eigen::VectorXd::Zero(disk.mesh().vertexCount());
     circles.emplace_back(triangulation, disk.boundary(), true);

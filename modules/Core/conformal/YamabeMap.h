@@ -15,7 +15,8 @@ namespace authalic {
 
 struct YamabeMapOptions {
   /// n: target curvature, 0 at inner vertices, summing to 2π along the boundary (a corner turns by its K̄, a straight
-  /// side has 0); empty: a circle.
+  /// side has 0), where up to 10⁻⁴, the rounding of a text or of single precision, is spread in proportion to |K̄|;
+  /// empty: a circle.
   Eigen::VectorXd curvature;
   int startVertex = -1;  ///< boundary vertex on the positive x axis; −1 = the one with the smallest id
   bool refine = false;   ///< also return the common refinement, on which nothing folds
