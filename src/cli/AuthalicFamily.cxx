@@ -9,6 +9,8 @@
 namespace authalic::cli {
 namespace {
 
+const std::vector<std::string> initials = {"tutte", "harmonic", "mean-value"};
+
 class AuthalicFamily : public MapFamily {
  public:
   std::vector<std::string> methods() const override { return {"authalic"}; }
@@ -21,9 +23,12 @@ class AuthalicFamily : public MapFamily {
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", "a MAP.vtp to the same disk, polygon or sphere (default: Tutte's)"},
-            {"--tolerance", "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
-            {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+    return {
+        {"--initial",
+         oneOf(initials) + " for a disk, or a MAP.vtp to the same disk, polygon or sphere (default: tutte)"},
+        {"--tolerance",
+         "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
+        {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -47,12 +52,14 @@ class AuthalicFamily : public MapFamily {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
-    if (shared.initial) {
-      if (map->GetNumberOfInputPorts() < 2) {
-        throw Failure(UsageProblem,
-                      "--initial is not for --domain " + *shared.domain + "; the start is found with it.");
-      }
+    if (!shared.initial) return map;
+    if (isFile(*shared.initial) && map->GetNumberOfInputPorts() > 1) {
       map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    } else if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) {
+      disk->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    } else {
+      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain " + *shared.domain +
+                                      "; leave it out, the start is found by the method.");
     }
     return map;
   }
