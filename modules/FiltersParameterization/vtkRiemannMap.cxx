@@ -2,6 +2,7 @@
 
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "ConformalReport.h"
@@ -32,6 +33,7 @@ void vtkRiemannMap::Compute(vtkInformationVector** inputs, vtkInformationVector*
   const authalic::Distortion distortion =
       result.refinement ? authalic::fillRefinedMap(input, output, *result.refinement)
                         : authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+  if (!result.refinement) authalic::addArray(output->GetPointData(), "LogScaleFactor", result.logScale);
   authalic::MapReport report = authalic::describeConformalMap("riemann", result, output);
   authalic::addField(output, "Roundness", result.roundness);
   report.more.set("roundness", result.roundness);

@@ -11,8 +11,8 @@ using namespace authalic::testing;
 
 namespace {
 
-// How far the exact map of a cap of 2 radians is from Lambert's equal-area projection, r(θ) = sin(θ/2) / sin(opening/2),
-// when it starts there: root mean square over the vertices.
+// How far the exact map of a cap of 2 radians is from Lambert's equal-area projection, r(θ) = sin(θ/2) /
+// sin(opening/2), when it starts there: root mean square over the vertices.
 double lambertError(int rings) {
   const double opening = 2;
   const DiskMesh disk(capMesh(rings, opening));

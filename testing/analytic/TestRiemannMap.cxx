@@ -46,6 +46,24 @@ TriangleMesh movedDisk(int rings, const Mobius& map) {
   return TriangleMesh(points, flat.faces());
 }
 
+int nearest(const TriangleMesh& mesh, const Eigen::RowVector2d& place) {
+  Eigen::Index vertex = 0;
+  (mesh.points().leftCols(2).rowwise() - place).rowwise().squaredNorm().minCoeff(&vertex);
+  return static_cast<int>(vertex);
+}
+
+// Largest |ln(image length / length) − (u_i + u_j)/2| over the edges.
+double worstScale(const DiskMesh& disk, const RiemannMapResult& map) {
+  double worst = 0;
+  for (int h = 0; h < 3 * disk.mesh().faceCount(); ++h) {
+    const int i = disk.topology().tail(h), j = disk.topology().head(h);
+    const double ratio = (map.image.row(i) - map.image.row(j)).norm() /
+                         (disk.mesh().point(i) - disk.mesh().point(j)).norm();
+    worst = std::max(worst, std::abs(std::log(ratio) - 0.5 * (map.logScale[i] + map.logScale[j])));
+  }
+  return worst;
+}
+
 }  // namespace
 
 TEST(RiemannMap, OfAFlatDiskIsTheIdentity) {
@@ -112,6 +130,22 @@ TEST(RiemannMap, OfAParaboloidConvergesAtSecondOrderOnBothRoads) {
     EXPECT_LT(fine, 2e-3) << riemannRoadName(which);
     EXPECT_GT(coarse / fine, 3.3) << riemannRoadName(which);
   }
+}
+
+TEST(RiemannMap, HasScaleFactorsThatItsEdgesFollow) {
+  RiemannMapOptions boundary, puncture = road(RiemannRoad::Puncture);
+  double coarse = 0, fine = 0;
+  for (const int rings : {8, 16}) {
+    const DiskMesh disk(capMesh(rings, 1.2));  // Delaunay from the start to the end
+    boundary.normalisation.centre = DiskCentre::Vertex;  // off the centre: a Möbius transformation to follow
+    boundary.normalisation.centreId = nearest(disk.mesh(), {0.4, 0.2});
+    const RiemannMapResult exact = riemannMap(disk, boundary);
+    ASSERT_EQ(exact.edgeFlips, 0);
+    EXPECT_LT(worstScale(disk, exact), 1e-8);
+    puncture.normalisation = boundary.normalisation;
+    (rings == 8 ? coarse : fine) = (riemannMap(disk, puncture).logScale - exact.logScale).cwiseAbs().mean();
+  }
+  EXPECT_LT(fine, 0.3 * coarse);
 }
 
 TEST(RiemannMap, RoadsAgreeMoreAndMoreAsMeshesGetFiner) {

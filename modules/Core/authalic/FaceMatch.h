@@ -15,10 +15,10 @@ namespace authalic {
 ///
 ///     min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + ε Σ_{edges ij} |δ_i − δ_j|²,   S = Σ a,
 ///
-/// with φ_t = max(r_t, 0.02) of the image before the step, so that faces weigh as they do in r + 1/r − 2 = (r −
-/// 1)²/r; moves by the part of δ that folds no face and lowers E; and adapts ε: ×¼ after a long step, ×4 after a
-/// short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in the steps
-/// to come: a triangle that moves rigidly stays.
+/// with φ_t = 2 r_t² / (1 + r_t) of the image before the step, so that the right-hand side is the exact gradient of
+/// E; moves by the part of δ that folds no face and lowers E (1/r is a barrier); and adapts ε: ×¼ after a long step,
+/// ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in
+/// the steps to come: a triangle that moves rigidly stays.
 class FaceMatch {
  public:
   /// @param targets  m shares > 0, sum 1

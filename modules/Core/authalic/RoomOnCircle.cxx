@@ -26,8 +26,8 @@ Eigen::ArrayXd leastArcs(const DiskMesh& disk, const TargetMeasure& target, cons
   const auto n = static_cast<Eigen::Index>(placement.vertices.size());
   std::vector<int> place(static_cast<std::size_t>(disk.mesh().vertexCount()), -1), count(place.size(), 0),
       last(place.size(), -1);
-  for (Eigen::Index i = 0; i < n; ++i) place[static_cast<std::size_t>(placement.vertices[static_cast<std::size_t>(i)])] =
-      static_cast<int>(i);
+  for (Eigen::Index i = 0; i < n; ++i)
+    place[static_cast<std::size_t>(placement.vertices[static_cast<std::size_t>(i)])] = static_cast<int>(i);
   const Faces& faces = disk.mesh().faces();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {

@@ -6,7 +6,6 @@
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
-#include "Core/numerics/Mobius.h"
 
 namespace authalic {
 namespace {
@@ -57,14 +56,20 @@ void DiskNormalisation::validate(const TriangleMesh& mesh, const std::vector<int
   }
 }
 
-Points2 normaliseDisk(const TriangleMesh& mesh, const SurfaceTopology& topology,
+Mobius normalisingMap(const TriangleMesh& mesh, const SurfaceTopology& topology,
                       const std::vector<int>& outerLoop, const Points2& image,
                       const DiskNormalisation& normalisation) {
   normalisation.validate(mesh, outerLoop, topology.onBoundary());
   const Mobius centred = centring(mesh, image, normalisation);
   const int start = normalisation.startVertex >= 0 ? normalisation.startVertex : outerLoop.front();
   const Mobius::Complex at = centred(Mobius::Complex(image(start, 0), image(start, 1)));
-  Points2 normal = (Mobius::rotation(-std::arg(at)) * centred)(image);
+  return Mobius::rotation(-std::arg(at)) * centred;
+}
+
+Points2 normaliseDisk(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                      const std::vector<int>& outerLoop, const Points2& image,
+                      const DiskNormalisation& normalisation) {
+  Points2 normal = normalisingMap(mesh, topology, outerLoop, image, normalisation)(image);
   for (const int v : outerLoop) normal.row(v).normalize();
   return normal;
 }

@@ -6,6 +6,7 @@
 
 #include "Core/mesh/SurfaceTopology.h"
 #include "Core/mesh/TriangleMesh.h"
+#include "Core/numerics/Mobius.h"
 
 namespace authalic {
 
@@ -27,10 +28,17 @@ struct DiskNormalisation {
                 const std::vector<char>& onBoundary) const;
 };
 
-/// Puts an image on the unit disk into its normal position by a Möbius transformation.
+/// The Möbius transformation that puts an image on the unit disk into its normal position.
 /// @param image      n×2, outer loop on the unit circle, all inside it
-/// @param outerLoop  vertices of the loop on the circle; they are on it to rounding afterwards
+/// @param outerLoop  vertices of the loop on the circle
 /// @throws InvalidArgument from the normalisation; GeometryError when the image is not in the disk
+[[nodiscard]] Mobius normalisingMap(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                    const std::vector<int>& outerLoop, const Points2& image,
+                                    const DiskNormalisation& normalisation);
+
+/// Puts an image on the unit disk into its normal position by normalisingMap().
+/// The vertices of the outer loop are on the circle to rounding afterwards.
+/// @throws as normalisingMap()
 [[nodiscard]] Points2 normaliseDisk(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                     const std::vector<int>& outerLoop, const Points2& image,
                                     const DiskNormalisation& normalisation);

@@ -36,6 +36,7 @@ FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topol
   cylinder.holonomy = development.holonomy;
   const std::complex<double> turn =
       std::complex<double>(0, 2 * M_PI) / std::complex<double>(development.period[0], development.period[1]);
+  cylinder.flow.logScale.array() += std::log(std::abs(turn));
   cylinder.strip.resize(mesh.vertexCount(), 2);
   for (Eigen::Index v = 0; v < cylinder.strip.rows(); ++v) {
     const std::complex<double> z =

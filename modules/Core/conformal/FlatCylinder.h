@@ -12,7 +12,7 @@
 namespace authalic {
 
 struct FlatCylinder {
-  YamabeFlowResult flow;
+  YamabeFlowResult flow;  ///< with u that of the cylinder of circumference 2π
   AnnulusCut cut;
   /// n×2: (ξ, θ), conformal and oriented, ξ = 0 on the outer loop and −height on the inner, θ known up to 2π; an
   /// edge from i to j runs from (ξ, θ)_i to (ξ, θ)_j + (0, 2π turns · w_ij).

@@ -91,6 +91,7 @@ IntrinsicTriangulation byBoundary(const DiskMesh& disk, const RiemannMapOptions&
     const FittedCircle fitted = fitCircle(result.image, disk.boundary());
     result.roundness = fitted.deviation;
     result.image = (result.image.rowwise() - fitted.centre) / fitted.radius;
+    result.logScale = flow.logScale.head(n).array() - std::log(fitted.radius);
   }
   IntrinsicTriangulation flipped = std::move(flow.triangulation);
   takeOver(std::move(flow), result);
@@ -113,10 +114,22 @@ void byPuncture(const DiskMesh& disk, const RiemannMapOptions& options, const Ex
                                        options.flow, execution.part(0, 0.9));
   if (cylinder.flow.status != Status::Cancelled) {
     result.image = exponential(cylinder.strip);
+    result.logScale = cylinder.flow.logScale.head(disk.mesh().vertexCount()) + cylinder.strip.col(0);
     result.holonomy = cylinder.holonomy;
     result.roundness = 2 * M_PI * cylinder.straightness;
   }
   takeOver(std::move(cylinder.flow), result);
+}
+
+// The normal position; u follows the derivative of the Möbius transformation, |φ(z) − φ(w)|² = |φ'(z) φ'(w)| |z − w|².
+void normalise(const DiskMesh& disk, const DiskNormalisation& normalisation, RiemannMapResult& result) {
+  for (const int v : disk.boundary()) result.image.row(v).normalize();
+  const Mobius map = normalisingMap(disk.mesh(), disk.topology(), disk.boundary(), result.image, normalisation);
+  for (Eigen::Index v = 0; v < result.image.rows(); ++v) {
+    result.logScale[v] += std::log(std::abs(map.derivative({result.image(v, 0), result.image(v, 1)})));
+  }
+  result.image = map(result.image);
+  for (const int v : disk.boundary()) result.image.row(v).normalize();
 }
 
 }  // namespace
@@ -141,9 +154,7 @@ RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& optio
     byPuncture(disk, options, execution, result);
   }
   if (result.status != Status::Cancelled) {
-    for (const int v : disk.boundary()) result.image.row(v).normalize();
-    result.image =
-        normaliseDisk(disk.mesh(), disk.topology(), disk.boundary(), result.image, options.normalisation);
+    normalise(disk, options.normalisation, result);
     if (options.refine)
       result.refinement = commonRefinement(disk.mesh(), disk.topology(), flipped, result.image);
     UnfoldedImage unfolded =
@@ -151,6 +162,7 @@ RiemannMapResult riemannMap(const DiskMesh& disk, const RiemannMapOptions& optio
     result.image = std::move(unfolded.image);
     result.flippedBeforeUnfolding = unfolded.flippedBefore;
     result.flippedFaces = unfolded.flippedAfter;
+    result.pockets = unfolded.pockets;
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   execution.report(1, "Riemann map");

@@ -32,6 +32,9 @@ struct RiemannMapOptions {
 
 struct RiemannMapResult {
   Points2 image;                  ///< n×2; the boundary on the unit circle, counter-clockwise, to 1e-15
+  Eigen::VectorXd logScale;       ///< n: u of the image's metric. Road Boundary with vertex scaling: image lengths are
+                                  ///< l_ij e^{(u_i + u_j)/2}; Puncture: to second order in the length; circle
+                                  ///< packing: ln of the radii, likewise to second order
   Status status = Status::NotRun; ///< of the flow
   double residual = 0;            ///< max |K − K̄| of the flow
   double holonomy = 0;            ///< of the layout, see Development
@@ -39,6 +42,7 @@ struct RiemannMapResult {
                                   ///< put on it
   int flippedBeforeUnfolding = 0; ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;           ///< faces of the input that are folded in the image
+  int pockets = 0;                ///< pieces at the boundary that were bulged out of it, see FoldedPockets
   std::optional<CommonRefinement> refinement;  ///< when asked for, with the image as it is before unfolding
   int iterations = 0;             ///< Newton steps
   int edgeFlips = 0;              ///< of the intrinsic triangulation, all kinds

@@ -38,7 +38,7 @@ void requireAdmissible(const IntrinsicTriangulation& triangulation, const Eigen:
   if (std::abs(target.sum() - total) > 1e-9 * (1 + std::sqrt(static_cast<double>(n)))) {
     throw InvalidArgument("Target curvatures with sum 2π χ = " + std::to_string(total) +
                           " are required (Gauss-Bonnet), but their sum is " + std::to_string(target.sum()) +
-                          ".");
+                          ", off by " + std::to_string(target.sum() - total) + ".");
   }
 }
 
@@ -289,6 +289,10 @@ void YamabeFlowOptions::validate() const {
 
 const char* conformalMetricName(ConformalMetric metric) noexcept {
   return metric == ConformalMetric::VertexScaling ? "vertex-scaling" : "circle-packing";
+}
+
+const char* packingRadiiName(PackingRadii radii) noexcept {
+  return radii == PackingRadii::Tangent ? "tangent" : "circumradius";
 }
 
 Eigen::VectorXd vertexCurvature(const IntrinsicTriangulation& triangulation, const Eigen::VectorXd& u) {

@@ -67,6 +67,8 @@ struct YamabeFlowResult {
 
 /// "vertex-scaling", "circle-packing".
 [[nodiscard]] const char* conformalMetricName(ConformalMetric metric) noexcept;
+/// "tangent", "circumradius".
+[[nodiscard]] const char* packingRadiiName(PackingRadii radii) noexcept;
 
 /// Curvature of every vertex at u: K_i = 2π − Σ θ inside, π − Σ θ on the boundary (geodesic curvature); 0 where
 /// there is no face. Σ K = 2π χ.

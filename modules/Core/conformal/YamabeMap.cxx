@@ -14,6 +14,8 @@
 namespace authalic {
 namespace {
 
+constexpr double kRounding = 1e-4;  // of the sum of target curvatures, radians
+
 int startVertexOf(const DiskMesh& disk, int startVertex) {
   if (startVertex == -1) return disk.boundary().front();
   if (std::find(disk.boundary().begin(), disk.boundary().end(), startVertex) == disk.boundary().end()) {
@@ -38,12 +40,20 @@ void requireFlatInside(const DiskMesh& disk, const Eigen::VectorXd& curvature) {
   }
 }
 
-// Area and centroid of the surface onto the image, the start vertex onto the positive x axis.
-Points2 place(const DiskMesh& disk, Points2 image, int start) {
+// Files round the parts of a whole turn.
+Eigen::VectorXd wholeTurn(const Eigen::VectorXd& curvature) {
+  const double missing = 2 * M_PI - curvature.sum(), all = curvature.cwiseAbs().sum();
+  if (!(std::abs(missing) <= kRounding)) return curvature;
+  return curvature + missing / all * curvature.cwiseAbs();
+}
+
+// Area and centroid of the surface onto the image, the start vertex onto the positive x axis; u follows the scale.
+Points2 place(const DiskMesh& disk, Points2 image, int start, Eigen::VectorXd& logScale) {
   const Eigen::VectorXd areas = faceAreas(disk.mesh());
   const Eigen::VectorXd masses = vertexStars(areas, disk.mesh().faces(), disk.mesh().vertexCount());
   image.rowwise() -= Eigen::RowVector2d(masses.transpose() * image / masses.sum());
   const double scale = std::sqrt(areas.sum() / std::abs(signedFaceAreas(image, disk.mesh().faces()).sum()));
+  logScale.array() += std::log(scale);
   const Eigen::RowVector2d axis = image.row(start).normalized() * scale;
   Points2 placed(image.rows(), 2);
   for (Eigen::Index v = 0; v < image.rows(); ++v) {
@@ -56,7 +66,7 @@ YamabeFlowResult flowOf(const DiskMesh& disk, const YamabeMapOptions& options, c
   IntrinsicTriangulation triangulation(disk.mesh(), disk.topology());
   if (options.refine) triangulation.trackCrossings();
   std::vector<BoundaryCircle> circles;
-  Eigen::VectorXd target = options.curvature;
+  Eigen::VectorXd target = wholeTurn(options.curvature);
   if (target.size() == 0) {
     target = Eigen::VectorXd::Zero(disk.mesh().vertexCount());
     circles.emplace_back(triangulation, disk.boundary(), true);
@@ -85,13 +95,14 @@ YamabeMapResult yamabeMap(const DiskMesh& disk, const YamabeMapOptions& options,
     result.holonomy = development.holonomy;
     result.logScale = flow.logScale.head(n);
     result.curvature = flow.curvature.head(n);
-    const Points2 image = place(disk, development.points.topRows(n), start);
+    const Points2 image = place(disk, development.points.topRows(n), start, result.logScale);
     if (options.refine)
       result.refinement = commonRefinement(disk.mesh(), disk.topology(), flow.triangulation, image);
     UnfoldedImage unfolded = unfoldImage(disk.mesh(), disk.topology(), image, options.unfold);
     result.image = std::move(unfolded.image);
     result.flippedBeforeUnfolding = unfolded.flippedBefore;
     result.flippedFaces = unfolded.flippedAfter;
+    result.pockets = unfolded.pockets;
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   execution.report(1, "curvature flow");

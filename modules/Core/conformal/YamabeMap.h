@@ -15,7 +15,8 @@ namespace authalic {
 
 struct YamabeMapOptions {
   /// n: target curvature, 0 at inner vertices, summing to 2π along the boundary (a corner turns by its K̄, a straight
-  /// side has 0); empty: a circle.
+  /// side has 0), where up to 10⁻⁴, the rounding of a text or of single precision, is spread in proportion to |K̄|;
+  /// empty: a circle.
   Eigen::VectorXd curvature;
   int startVertex = -1;  ///< boundary vertex on the positive x axis; −1 = the one with the smallest id
   bool refine = false;   ///< also return the common refinement, on which nothing folds
@@ -25,13 +26,15 @@ struct YamabeMapOptions {
 
 struct YamabeMapResult {
   Points2 image;                  ///< n×2, as large in area as the surface, area centroid at 0
-  Eigen::VectorXd logScale;       ///< n: u of the image's metric; vertex scaling: lengths are l_ij e^{(u_i + u_j)/2}
+  Eigen::VectorXd logScale;       ///< n: u of the image's metric; vertex scaling: image lengths are
+                                  ///< l_ij e^{(u_i + u_j)/2} where no edge was flipped; circle packing: ln of radii
   Eigen::VectorXd curvature;      ///< n: K reached
   Status status = Status::NotRun; ///< of the flow
   double residual = 0;            ///< max |K − K̄|
   double holonomy = 0;            ///< of the layout, see Development
   int flippedBeforeUnfolding = 0; ///< faces of the input that the conformal map itself folds
   int flippedFaces = 0;           ///< faces of the input that are folded in the image
+  int pockets = 0;                ///< pieces at the boundary that were bulged out of it, see FoldedPockets
   std::optional<CommonRefinement> refinement;  ///< when asked for, with the image as it is before unfolding
   int addedVertices = 0;          ///< by which the flow split boundary edges; not part of the image
   int degenerateFaces = 0;        ///< see YamabeFlowResult
