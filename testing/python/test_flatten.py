@@ -70,6 +70,14 @@ class Results(unittest.TestCase):
             self.assertEqual(result.metrics["flipped_faces"], 0, method)
             self.assertIn(result.report["method"], method)
 
+    def test_the_domain_sphere_makes_the_spherical_map_of_authalic(self):
+        ball = authalic.read_surface(DATA / "folded_sphere.off")
+        result = authalic.flatten(ball, domain="sphere", tolerance=0.03)
+        self.assertTrue(np.array_equal(result.image,
+                                       authalic.flatten(ball, method="authalic-sphere", tolerance=0.03).image))
+        self.assertLess(np.abs(np.linalg.norm(result.image, axis=1) - 1).max(), 1e-12)
+        self.assertLess(np.abs(result.point_arrays["VertexAreaDistortion"]).max(), 1e-9)
+
     def test_the_default_preserves_areas_where_the_harmonic_map_does_not(self):
         points, faces = bumpy_disk()
         corners = points[faces]
@@ -190,7 +198,8 @@ class Failures(unittest.TestCase):
 
     def test_options_out_of_range_unknown_or_of_another_method(self):
         self.refuses(authalic.InvalidArgument, "lie-flow", method="no-method")
-        self.refuses(authalic.InvalidArgument, "disk", domain="sphere")
+        self.refuses(authalic.InvalidArgument, "disk", domain="sphere", method="lie-flow")
+        self.refuses(authalic.SurfaceError, "sphere is required", domain="sphere")
         self.refuses(authalic.InvalidArgument, "aspect", domain="rectangle")
         self.refuses(authalic.InvalidArgument, "aspect", domain=("rectangle",))
         self.refuses(authalic.InvalidArgument, domain=("rectangle", -1.0))
