@@ -1,10 +1,14 @@
 #include "ConformalArrays.h"
 
+#include <algorithm>
+#include <string>
+
 #include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "Conversion.h"
+#include "Core/base/Error.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
 
@@ -23,7 +27,9 @@ MapReport describeFlowMap(const Result& result, vtkPolyData* map) {
   report.more.set("edge_flips", result.edgeFlips);
   report.more.set("flipped_before_unfolding", result.flippedBeforeUnfolding);
   report.more.set("pockets", result.pockets);
-  addArray(map->GetPointData(), "LogScale", result.logScale);
+  if (result.logScale.size() == map->GetNumberOfPoints()) {
+    addArray(map->GetPointData(), "LogScale", result.logScale);
+  }
   addField(map, "CurvatureResidual", result.residual);
   addField(map, "Holonomy", result.holonomy);
   addField(map, "EdgeFlips", result.edgeFlips);
@@ -34,6 +40,18 @@ MapReport describeFlowMap(const Result& result, vtkPolyData* map) {
 
 template MapReport describeFlowMap(const YamabeMapResult&, vtkPolyData*);
 template MapReport describeFlowMap(const RiemannMapResult&, vtkPolyData*);
+template MapReport describeFlowMap(const AnnulusMapResult&, vtkPolyData*);
+template MapReport describeFlowMap(const CircleDomainResult&, vtkPolyData*);
+
+int loopThrough(int vertex, const std::vector<std::vector<int>>& loops) {
+  if (vertex == -1) return -1;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    if (std::find(loops[k].begin(), loops[k].end(), vertex) != loops[k].end()) return static_cast<int>(k);
+  }
+  throw InvalidArgument("A vertex of a boundary loop is required as the outer vertex (-1: the longest loop), but vertex " +
+                        std::to_string(vertex) + " is on none of the " + std::to_string(loops.size()) +
+                        "; 'authalic info' lists them.");
+}
 
 void fillRefinement(const std::optional<CommonRefinement>& refinement, vtkPolyData* map, vtkPolyData* output,
                     MapReport& report) {

@@ -2,6 +2,10 @@
 /// What the maps by curvature flow report. Private to FiltersParameterization/.
 #pragma once
 
+#include <vector>
+
+#include "Core/conformal/AnnulusMap.h"
+#include "Core/conformal/CircleDomainMap.h"
 #include "Core/conformal/RiemannMap.h"
 #include "Core/conformal/YamabeMap.h"
 #include "Reports/MapReport.h"
@@ -11,10 +15,14 @@ class vtkPolyData;
 namespace authalic {
 
 /// Status, residuals, seconds, and the arrays LogScale, CurvatureResidual, Holonomy, EdgeFlips, FlippedBeforeUnfolding
-/// and Pockets on `map`, which is the image already.
-/// @tparam Result  YamabeMapResult or RiemannMapResult
+/// and Pockets on `map`, which is the image already. LogScale only where there is one for every point of `map`.
+/// @tparam Result  YamabeMapResult, RiemannMapResult, AnnulusMapResult or CircleDomainResult
 template <class Result>
 [[nodiscard]] MapReport describeFlowMap(const Result& result, vtkPolyData* map);
+
+/// Which loop a vertex is on; −1 for vertex −1.
+/// @throws InvalidArgument when the vertex is on none
+[[nodiscard]] int loopThrough(int vertex, const std::vector<std::vector<int>>& loops);
 
 /// The refinement as a map of its own (see vtkCurvatureFlowMapAlgorithm), and RefinementFlippedFaces on `map`; nothing
 /// when there is none.

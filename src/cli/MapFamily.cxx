@@ -93,6 +93,22 @@ void setFlowOptions(vtkCurvatureFlowMapAlgorithm* filter, const SharedMapOptions
   filter->SetRefine(!shared.refinement.empty());
 }
 
+std::string diskCentreMeaning() {
+  return "what goes to the centre of the disk, area-centroid, vertex:V or face:F, from 0 (default: area-centroid)";
+}
+
+std::pair<int, int> diskCentre(const std::string& text) {
+  if (text == "area-centroid") return {0, -1};
+  const std::size_t colon = text.find(':');
+  const std::string what = text.substr(0, colon);
+  int id = 0;
+  if (colon == std::string::npos || (what != "vertex" && what != "face") ||
+      !CLI::detail::lexical_cast(text.substr(colon + 1), id)) {
+    throw Failure(UsageProblem, "--centre must be area-centroid, vertex:V or face:F; it is '" + text + "'.");
+  }
+  return {what == "face" ? 2 : 1, id};
+}
+
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }
 
 std::string shown(double value) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <vtkSmartPointer.h>
@@ -21,9 +22,9 @@ namespace authalic::cli {
 
 /// Options that several families know.
 struct SharedMapOptions {
-  std::optional<std::string> domain, initial, metric, radii;
+  std::optional<std::string> domain, initial, metric, radii, road, centre;
   std::optional<double> tolerance;
-  std::optional<int> maxIterations, startVertex;
+  std::optional<int> maxIterations, startVertex, outerVertex;
   bool noUnfold = false;
   std::string refinement;  ///< file; empty when it was not asked for
   SpaceOption space;
@@ -71,6 +72,8 @@ class MapFamily {
 [[nodiscard]] std::unique_ptr<MapFamily> isometricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> yamabeFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> riemannFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> annulusFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> circleDomainFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
@@ -86,6 +89,13 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
 /// Sets metric, radii, tolerance, steps, start vertex, unfolding and refinement of a map by curvature flow.
 /// @throws Failure
 void setFlowOptions(vtkCurvatureFlowMapAlgorithm* filter, const SharedMapOptions& shared);
+
+/// What --centre means.
+[[nodiscard]] std::string diskCentreMeaning();
+
+/// Kind and id of what --centre brings to the centre of a disk: 0 the area centroid, 1 a vertex, 2 a face.
+/// @throws Failure
+[[nodiscard]] std::pair<int, int> diskCentre(const std::string& text);
 
 /// A number as the help page shows it.
 [[nodiscard]] std::string shown(double value);

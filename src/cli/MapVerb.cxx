@@ -16,6 +16,8 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(isometricFamily());
   families.push_back(yamabeFamily());
   families.push_back(riemannFamily());
+  families.push_back(annulusFamily());
+  families.push_back(circleDomainFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
   return families;
@@ -55,6 +57,8 @@ VerbHelp mapHelp(const MapOptions& o) {
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
       "authalic map riemann lh.disk.vtp -o lh.map.vtp --centre face:1234\n"
       "  conformal map to the unit disk, a face at the centre",
+      "authalic map annulus colon.vtp -o colon.map.vtp --domain rectangle\n"
+      "  conformal map of a tube, cut open and laid flat",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
       "  share of every face in proportion to its native area times the mean of its corners' numbers in the file"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
@@ -155,7 +159,8 @@ void declareShared(CLI::App* verb, MapOptions& o) {
           "--domain", o.shared.domain,
           "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
           "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
-          "free (the boundary takes its own shape, mm).")
+          "free (the boundary takes its own shape, mm), annulus (outer radius 1), rectangle (periodic, circumference "
+          "1), circle-domain (unit disk without round holes).")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
@@ -168,6 +173,9 @@ void declareShared(CLI::App* verb, MapOptions& o) {
           ->type_name("N")->check(notNegative()),
       verb->add_option("--metric", o.shared.metric, meanings(o, "--metric"))->type_name("METRIC"),
       verb->add_option("--radii", o.shared.radii, meanings(o, "--radii"))->type_name("RADII"),
+      verb->add_option("--road", o.shared.road, meanings(o, "--road"))->type_name("ROAD"),
+      verb->add_option("--centre", o.shared.centre, meanings(o, "--centre"))->type_name("WHAT"),
+      verb->add_option("--outer-vertex", o.shared.outerVertex, meanings(o, "--outer-vertex"))->type_name("V"),
       verb->add_option("--start-vertex", o.shared.startVertex, meanings(o, "--start-vertex"))->type_name("V"),
       verb->add_flag("--no-unfold", o.shared.noUnfold, meanings(o, "--no-unfold")),
       verb->add_option("--refinement", o.shared.refinement, meanings(o, "--refinement"))->type_name("REFINED.vtp")};
