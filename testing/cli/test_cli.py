@@ -117,7 +117,13 @@ class Usage(CommandLine):
                            ("riemann --puncture 3", "--road puncture"), ("riemann --centre face", "face:F"),
                            ("riemann --centre vertex:999999", "999999"), ("riemann --domain square", "disk"),
                            ("riemann --road puncture --refinement r.vtp", "boundary"),
-                           ("riemann --road puncture --puncture 999999", "999999")):
+                           ("riemann --road puncture --puncture 999999", "999999"),
+                           ("riemann --outer-vertex 3", "annulus"), ("annulus --domain disk", "rectangle"),
+                           ("annulus --road koebe", "circle-domain"), ("circle-domain --domain annulus", "circle-domain"),
+                           ("circle-domain --road puncture", "koebe"), ("circle-domain --max-rounds 3", "--road koebe"),
+                           ("circle-domain --outer-vertex 0", "none of the 1"),
+                           ("circle-domain --road koebe --refinement r.vtp", "curvature"),
+                           ("circle-domain --centre vertex:0.5", "face:F")):
             self.assertIn(why, self.fails(2, "map", *words.split(), disk, "-o", "m.vtp"), words)
         self.succeeds("map", "riemann", disk, "-o", "start.vtp")
         words = ("map", "slim", disk, "-o", "m.vtp", "--initial", "start.vtp")
@@ -354,6 +360,33 @@ class Results(CommandLine):
         self.assertEqual((fixed["options"]["initial"], disk["options"]["boundary"]), ("given", "fixed"))
         self.assertLess(fixed["isometric_energy"], disk["isometric_energy"])  # a square sheet stays a square
         self.assertEqual((fixed["flips"], disk["flips"]), (0, 0))
+
+    def test_a_tube_goes_to_a_ring_a_periodic_rectangle_and_a_circle_domain_of_one_modulus(self):
+        tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
+        found = {}
+        for name, words in (("ring", "annulus --refinement refined.vtp"), ("flat", "annulus --domain rectangle"),
+                            ("curvature", "circle-domain"), ("koebe", "circle-domain --road koebe")):
+            method, *options = words.split()
+            self.succeeds("map", method, tube, "-o", f"{name}.vtp", "--report", f"{name}.json", *options)
+            found[name] = json.loads((self.here / f"{name}.json").read_text())
+            self.assertEqual((found[name]["status"], found[name]["flips"]), ("converged", 0))
+        ring, flat = found["ring"], found["flat"]
+        self.assertEqual(ring["conformal_modulus"], flat["conformal_modulus"])
+        self.assertLess(max(ring["holonomy"], flat["holonomy"]), 1e-9)
+        self.assertAlmostEqual(flat["height"] / flat["circumference"], flat["conformal_modulus"])
+        self.assertIn(b"OriginalPointIds", (self.here / "flat.vtp").read_bytes())
+        for name in ("curvature", "koebe"):
+            x, y, radius = next(c for c in zip(*[iter(found[name]["circles"])] * 3) if c[2] < 0.999)
+            modulus = math.acosh((1 + radius**2 - x * x - y * y) / (2 * radius)) / (2 * math.pi)
+            self.assertLess(abs(modulus - ring["conformal_modulus"]), 0.01 * modulus)
+            self.assertLess(max(found[name]["circle_roundness"]), 1e-12)
+
+    def test_surfaces_with_other_loops_are_3_with_their_places(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
+        said = self.fails(3, "map", "annulus", disk, "-o", "m.vtp")
+        self.assertRegex(said, r"1 boundary loop: found too few .* near \(.*\) mm; .*authalic cut")
+        self.assertIn("authalic cut", self.fails(3, "map", "circle-domain", torus, "-o", "m.vtp"))
 
     def test_the_two_roads_of_the_riemann_map_agree_and_the_centre_is_the_chosen_face(self):
         disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"

@@ -13,9 +13,11 @@ import proxies
 RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary",
            "ErrorKind")
 DISK = [("Input", "disk", 0)]
+TUBE = [("Input", "tube", 0)]
 CASES = [
     ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
     ("torus", "SurfaceFileReader", [], {"FileName": "FIXTURES/torus.off"}),
+    ("tube", "SurfaceFileReader", [], {"FileName": "FIXTURES/bent_tube.off"}),
     ("tutte", "BarycentricMap", DISK, {"Method": 0}),
     ("textured", "BarycentricMap", DISK, {"OutputMode": 1}),
     ("harmonic", "BarycentricMap", DISK, {"Method": 1, "StartVertex": -1, "Threads": 1}),
@@ -32,6 +34,10 @@ CASES = [
     ("packing", "YamabeMap", DISK, {"Metric": 1, "Radii": 0, "Unfold": False}),
     ("riemann", "RiemannMap", DISK, {"Centre": 2, "CentreId": 7, "Refine": True}),
     ("punctured", "RiemannMap", DISK, {"Road": 1, "Puncture": -1}),
+    ("ring", "AnnulusMap", TUBE, {"Refine": True}),
+    ("unrolled", "AnnulusMap", TUBE, {"Domain": 1, "OuterVertex": -1}),
+    ("round", "CircleDomainMap", TUBE, {"Centre": 2, "CentreId": 7, "Refine": True}),
+    ("koebe", "CircleDomainMap", TUBE, {"Road": 1, "RoundnessTolerance": 1e-5, "MaximumRounds": 20, "OuterVertex": -1}),
     ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),

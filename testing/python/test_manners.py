@@ -30,6 +30,10 @@ def disk():
     return with_arrays(surface).to_vtk()
 
 
+def tube():
+    return with_arrays(authalic.read_surface(DATA / "bent_tube.off")).to_vtk()
+
+
 def ball():
     surface = authalic.read_surface(DATA / "folded_sphere.off")
     return with_arrays(surface, {"MedialWall": (surface.points[:, 2] < -20).astype(np.uint8)}).to_vtk()
@@ -91,6 +95,8 @@ CASES = {
     "vtkSymmetricDirichletMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkYamabeMap": Case((disk,), {"Refine": True}, wrong=(0, ball)),
     "vtkRiemannMap": Case((disk,), {"Refine": True}, wrong=(0, ball)),
+    "vtkAnnulusMap": Case((tube,), wrong=(0, ball)),
+    "vtkCircleDomainMap": Case((tube,), {"Refine": True}, wrong=(0, ball)),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

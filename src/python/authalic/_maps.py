@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere" or "annulus"."""
+    topology of surface that it takes: "disk", "sphere", "annulus" or "holes" (a disk with holes)."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -34,6 +34,8 @@ METHODS: dict[str, Method] = {
     "slim": Method("vtkSymmetricDirichletMap"),
     "yamabe": Method("vtkYamabeMap"),
     "riemann": Method("vtkRiemannMap"),
+    "annulus": Method("vtkAnnulusMap", surface="annulus"),
+    "circle-domain": Method("vtkCircleDomainMap", surface="holes"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
 }
 
@@ -119,14 +121,19 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk);
+                "annulus" needs two loops, "circle-domain" one or more
     method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann": conformal, onto the unit disk; "yamabe": conformal, to a round disk, or with `curvature`
                 to the domain whose boundary turns as it says; "lscm": conformal, with a free boundary;
+                "annulus": conformal, two loops onto a ring or a periodic rectangle, which is open along a cut: points
+                and faces of the result are those of the opened surface, with OriginalPointIds; "circle-domain":
+                conformal, onto the unit disk without round holes;
                 "slim": as isometric as can be, boundary="free" or "fixed"; methods() has all with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2). "slim" fixes its boundary there; its None is "free": the boundary moves
+                corners of a polygon, (k, 2). "slim" fixes its boundary there; its None is "free": the boundary moves.
+                "annulus" has "annulus" (None) and "rectangle"
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
@@ -193,7 +200,7 @@ def _set_domain(algorithm, method, domain):
         if domain == "free":
             return
     if isinstance(domain, str):
-        if domain in ("rectangle", "polygon"):
+        if domain in ("rectangle", "polygon") and hasattr(algorithm, "SetAspect"):
             raise InvalidArgument('domain must be ("rectangle", aspect) or the corners of a polygon, (k, 2).')
         _filters.configure(algorithm, domain=domain)
     elif isinstance(domain, tuple) and domain and domain[0] == "rectangle":
