@@ -48,9 +48,10 @@ int loopThrough(int vertex, const std::vector<std::vector<int>>& loops) {
   for (std::size_t k = 0; k < loops.size(); ++k) {
     if (std::find(loops[k].begin(), loops[k].end(), vertex) != loops[k].end()) return static_cast<int>(k);
   }
-  throw InvalidArgument("A vertex of a boundary loop is required as the outer vertex (-1: the longest loop), but vertex " +
-                        std::to_string(vertex) + " is on none of the " + std::to_string(loops.size()) +
-                        "; 'authalic info' lists them.");
+  throw InvalidArgument(
+      "A vertex of a boundary loop is required as the outer vertex (-1: the longest loop), but vertex " +
+      std::to_string(vertex) + " is on none of the " + std::to_string(loops.size()) +
+      "; 'authalic info' lists them.");
 }
 
 void fillRefinement(const std::optional<CommonRefinement>& refinement, vtkPolyData* map, vtkPolyData* output,

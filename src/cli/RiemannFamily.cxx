@@ -18,9 +18,10 @@ class RiemannFamily : public MapFamily {
 
   std::map<std::string, std::string> sharedOptions() const override {
     auto options = flowOptions();
-    options["--road"] = "boundary prescribes the curvature of a circle there, puncture takes out a face, makes the rest "
-                        "a flat cylinder and closes it by the exponential (default: " +
-                        roads[static_cast<std::size_t>(defaults_->GetRoad())] + ")";
+    options["--road"] =
+        "boundary prescribes the curvature of a circle there, puncture takes out a face, makes the rest "
+        "a flat cylinder and closes it by the exponential (default: " +
+        roads[static_cast<std::size_t>(defaults_->GetRoad())] + ")";
     options["--centre"] = diskCentreMeaning();
     return options;
   }

@@ -152,6 +152,19 @@ class Results(unittest.TestCase):
         self.assertTrue(np.array_equal(authalic.flatten(named, method="yamabe", curvature="Turns").image, result.image))
         self.assertIsNone(authalic.flatten(points, faces, "yamabe").refinement)
 
+    def test_a_tube_becomes_a_ring_an_open_rectangle_and_a_disk_with_a_round_hole(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        ring, flat = (authalic.flatten(tube, method="annulus", domain=domain) for domain in (None, "rectangle"))
+        ids = flat.point_arrays["OriginalPointIds"]
+        self.assertTrue(np.array_equal(tube.points[ids], flat.points) and len(ids) > len(tube.points))
+        self.assertTrue(np.array_equal(ids[flat.faces], tube.faces))
+        self.assertAlmostEqual(np.linalg.norm(ring.image, axis=1).max(), 1.0)
+        self.assertAlmostEqual(np.ptp(flat.image[:, 1]), ring.report["conformal_modulus"])
+        disk = authalic.flatten(tube, method="circle-domain", outer_vertex=int(tube.faces.max()))
+        self.assertEqual((disk.report["outer_loop"], disk.metrics["flipped_faces"]), (1, 0))
+        with self.assertRaisesRegex(authalic.InvalidArgument, "one domain"):
+            authalic.flatten(tube, method="circle-domain", domain="disk")
+
     def test_slim_keeps_the_boundary_of_a_domain_that_was_asked_for(self):
         points, faces = bumpy_disk()
         free, disk = (authalic.flatten(points, faces, "slim", domain) for domain in (None, "disk"))

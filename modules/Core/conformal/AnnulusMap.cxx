@@ -75,8 +75,9 @@ AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions&
   const std::size_t outer = outerLoopOf(annulus, options);
   const int start = startVertexOf(annulus.loops()[outer], options);
   const TriangleMesh& mesh = annulus.mesh();
-  FlatCylinder cylinder = flatCylinder(mesh, annulus.topology(), annulus.loops()[outer],
-                                       annulus.loops()[1 - outer], options.flow, execution.part(0, 0.9), options.refine);
+  FlatCylinder cylinder =
+      flatCylinder(mesh, annulus.topology(), annulus.loops()[outer], annulus.loops()[1 - outer], options.flow,
+                   execution.part(0, 0.9), options.refine);
   AnnulusMapResult result;
   result.status = cylinder.flow.status;
   result.residual = cylinder.flow.residual;
