@@ -50,6 +50,7 @@ ROWS = [
      _map(AUTHALIC, "InteriorMeanDeviation", 100)),
     ("solve: status", _map(AUTHALIC, "Status")),
     ("solve: steps", _map(AUTHALIC, "Iterations")),
+    ("solve: largest |ln| of a vertex's share over its target", _map(AUTHALIC, "VertexResidual")),
 ]
 
 
