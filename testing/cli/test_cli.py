@@ -269,7 +269,7 @@ class Surfaces(CommandLine):
             lines = [f"OFF\n{len(points)} {len(faces)} 0"] + [f"{x} {y} {z}" for x, y, z in points]
             (self.here / f"{name}.off").write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n")
             self.succeeds("info", f"{name}.off")
-            for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
+            for method in ("tutte", "harmonic", "mean-value", "lie-flow", "authalic"):
                 self.assertIn("disk is required", self.fails(3, "map", method, f"{name}.off", "-o", "m.vtp"))
 
     def test_what_is_no_sphere_is_3_with_where_and_what_would_help(self):
@@ -326,6 +326,21 @@ class Results(CommandLine):
         self.assertIn("--initial", self.fails(2, "map", "authalic", torus, "-o", "s.vtp", "--domain", "torus",
                                               "--initial", "t.vtp"))
 
+    def test_the_authalic_map_is_exact_at_every_vertex_of_every_domain(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        triangle = self.here / "triangle.txt"
+        triangle.write_text("0 0\n4 0\n0 3\n")
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for surface, domain in ((disk, "disk"), (disk, "square"), (disk, "rectangle:2"),
+                                (disk, f"polygon:{triangle}"), (sphere, "sphere")):
+            self.succeeds("map", "authalic", surface, "-o", "m.vtp", "--domain", domain, "--report", "r.json", "-q")
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual(report["status"], "converged", domain)
+            self.assertEqual(report["metrics"]["flipped_faces"], 0, domain)
+            self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9, domain)
+        for option in ("--tolerance", "--vertex-tolerance"):
+            self.fails(2, "map", "authalic", disk, "-o", "m.vtp", option, 0)
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]
@@ -336,7 +351,7 @@ class Results(CommandLine):
 
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
         disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        for method in ("tutte", "harmonic", "mean-value", "lie-flow"):
+        for method in ("tutte", "harmonic", "mean-value", "lie-flow", "authalic"):
             maps, reports = [], []
             for name, threads in (("a", 1), ("b", 1), ("c", 2)):
                 self.succeeds("map", method, disk, "-o", f"{name}.vtp", "--report", f"{name}.json",

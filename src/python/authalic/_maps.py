@@ -132,7 +132,7 @@ def flatten(points: Any,
                 a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
                 with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2)
+                corners of a polygon, (k, 2); "sphere" or "torus" makes "authalic-sphere" of "authalic" …
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
@@ -158,6 +158,8 @@ def flatten(points: Any,
         raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
     if method not in METHODS:
         raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
+    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus
+        method, domain = f"{method}-{domain}", None
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
