@@ -63,6 +63,18 @@ def torus(rings, sides):
     return points, np.array(faces)
 
 
+def bent_tube(along, around):
+    """mm; a quarter of a torus with swellings and no symmetry, open at both ends."""
+    u, v = np.meshgrid(np.arange(along + 1) / along, 2 * np.pi * np.arange(around) / around, indexing="ij")
+    r = 8 + 2 * np.sin(9 * u + 0.5) + np.cos(2 * v + 3 * u)
+    bend = 0.5 * np.pi * u
+    points = np.stack([(30 + r * np.cos(v)) * np.cos(bend), (30 + r * np.cos(v)) * np.sin(bend), r * np.sin(v)], -1)
+    at = lambda i, j: i * around + j % around
+    faces = [f for i in range(along) for j in range(around)
+             for f in ((at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1)))]
+    return points.reshape(-1, 3), np.array(faces)
+
+
 def bumpy_disk():
     """mm; a disk of radius 40 with bumps, no symmetry."""
     p, faces = disk(20)
@@ -145,6 +157,7 @@ def main():
         "upper_shell.off": (off_bytes(*shells()[0]), "mm", "topological disk, meets lower_shell.off at its rim"),
         "lower_shell.off": (off_bytes(*shells()[1]), "mm", "topological disk, meets upper_shell.off at its rim"),
         "torus.off": (off_bytes(*torus(24, 12)), "mm", "closed, genus 1"),
+        "bent_tube.off": (off_bytes(*bent_tube(24, 24)), "mm", "annulus, 2 boundary loops of 24 vertices"),
         "phantom_t1.nii.gz": (nifti_bytes(t1, affine), "intensity", "two folded hemispheres, 2 mm: white 110, grey 80"),
         "phantom_labels.nii.gz": (nifti_bytes(labels, affine), "label", "grey matter of the phantom: 1 left, 2 right"),
     }

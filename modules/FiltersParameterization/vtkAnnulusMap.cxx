@@ -1,7 +1,10 @@
 #include "vtkAnnulusMap.h"
 
+#include <cmath>
+
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "BoundaryLoops.h"
@@ -9,6 +12,7 @@
 #include "Conversion.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
+#include "Core/geometry/Areas.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkAnnulusMap);
@@ -34,12 +38,18 @@ void vtkAnnulusMap::Compute(vtkInformationVector** inputs, vtkInformationVector*
                                      target.faces());
   authalic::MapReport report = authalic::describeConformalMap("annulus", result, output);
   const int pockets = ring ? result.pockets : result.rectanglePockets;
+  const double circumference = std::sqrt(authalic::faceAreas(annulus.mesh()).sum() / result.modulus);
+  authalic::addArray(output->GetPointData(), "LogScaleFactor", ring ? result.logScale : rectangle.logScale);
   authalic::addField(output, "ConformalModulus", result.modulus);
+  authalic::addField(output, "Height", result.modulus * circumference);
+  authalic::addField(output, "Circumference", circumference);
   authalic::addField(output, "InnerRadius", result.innerRadius);
   authalic::addField(output, "Straightness", result.straightness);
   authalic::addField(output, "Pockets", pockets);
   authalic::addField(output, "Cut", std::vector<double>(result.cut.begin(), result.cut.end()));
   report.more.set("conformal_modulus", result.modulus)
+      .set("height", result.modulus * circumference)
+      .set("circumference", circumference)
       .set("inner_radius", result.innerRadius)
       .set("straightness", result.straightness)
       .set("pockets", pockets)

@@ -15,8 +15,10 @@
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | point | OriginalPointIds (as RECTANGLE) | 1 vtkIdType | point of the input |
+ * | point | LogScaleFactor | 1 double | u: image lengths are l_ij exp((u_i + u_j)/2), on the ring to second order |
  * | field | Method | 1 string | annulus |
  * | field | ConformalModulus | 1 double | (1/2 pi) ln(R/r) = height / circumference of the cylinder |
+ * | field | Height, Circumference | 1 double | mm, of the flat cylinder that is as large as the surface |
  * | field | InnerRadius | 1 double | r, with R = 1 |
  * | field | Straightness | 1 double | how far loops were from circles, in circumferences, before they were put there |
  * | field | Pockets | 1 int | pockets of the boundary that were bulged out |

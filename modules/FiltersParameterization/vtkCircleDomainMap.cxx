@@ -4,6 +4,7 @@
 
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "BoundaryLoops.h"
@@ -26,6 +27,16 @@ std::vector<double> numbersOf(const std::vector<authalic::FittedCircle>& circles
     numbers.insert(numbers.end(), {circle.centre[0], circle.centre[1], circle.radius});
   }
   return numbers;
+}
+
+// The same, one row per circle.
+Eigen::MatrixXd tableOf(const std::vector<authalic::FittedCircle>& circles) {
+  Eigen::MatrixXd table(static_cast<Eigen::Index>(circles.size()), 3);
+  for (Eigen::Index k = 0; k < table.rows(); ++k) {
+    const authalic::FittedCircle& circle = circles[static_cast<std::size_t>(k)];
+    table.row(k) << circle.centre, circle.radius;
+  }
+  return table;
 }
 
 }  // namespace
@@ -58,7 +69,10 @@ void vtkCircleDomainMap::Compute(vtkInformationVector** inputs, vtkInformationVe
                         : authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeConformalMap("circle-domain", result, output);
   const std::vector<double> circles = numbersOf(result.circles);
-  authalic::addField(output, "Circles", circles);
+  authalic::addField(output, "Circles", tableOf(result.circles));
+  if (result.logScale.size() > 0 && !result.refinement) {
+    authalic::addArray(output->GetPointData(), "LogScaleFactor", result.logScale);
+  }
   authalic::addField(output, "OuterLoop", result.outerLoop);
   authalic::addField(output, "Roundness", result.roundness);
   authalic::addField(output, "Pockets", result.pockets);

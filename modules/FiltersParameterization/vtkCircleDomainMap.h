@@ -12,8 +12,9 @@
  *
  * | association | name | components, type | meaning |
  * |---|---|---|---|
+ * | point | LogScaleFactor | 1 double | u: image lengths are l_ij exp((u_i + u_j)/2) where no edge was flipped (road CURVATURE) |
  * | field | Method | 1 string | circle-domain |
- * | field | Circles | 3 × loops doubles | x, y of the centre and radius of every loop, one after the other |
+ * | field | Circles | 3 double per loop | x, y of the centre, and the radius |
  * | field | OuterLoop | 1 int | which of them is the unit circle |
  * | field | Roundness | 1 double | how far loops were from their circles, relative, before they were put on them |
  * | field | Pockets | 1 int | pockets of the boundary that were bulged into holes |

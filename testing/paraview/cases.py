@@ -13,9 +13,11 @@ import proxies
 RESULTS = ("Status", "Iterations", "TotalAreaDistortion", "TotalAngleDistortion", "FlippedFaces", "Summary",
            "ErrorKind")
 DISK = [("Input", "disk", 0)]
+TUBE = [("Input", "tube", 0)]
 CASES = [
     ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
     ("torus", "SurfaceFileReader", [], {"FileName": "FIXTURES/torus.off"}),
+    ("tube", "SurfaceFileReader", [], {"FileName": "FIXTURES/bent_tube.off"}),
     ("tutte", "BarycentricMap", DISK, {"Method": 0}),
     ("textured", "BarycentricMap", DISK, {"OutputMode": 1}),
     ("harmonic", "BarycentricMap", DISK, {"Method": 1, "StartVertex": -1, "Threads": 1}),
@@ -42,7 +44,10 @@ CASES = [
     ("yamabe", "YamabeMap", DISK, {"StartVertex": -1}),
     ("lscm", "LeastSquaresConformalMap", DISK, {"Pins": 1}),
     ("slim", "SymmetricDirichletMap", DISK + [("InitialMap", "tutte", 0)], {"Boundary": 1}),
-    ("circles", "CircleDomainMap", DISK, {}),
+    ("circles", "CircleDomainMap", TUBE, {"Centre": 1, "CentreId": 300}),
+    ("koebe", "CircleDomainMap", TUBE, {"Road": 1, "RoundnessTolerance": 1e-3}),
+    ("ring", "AnnulusMap", TUBE, {}),
+    ("rectangle2", "AnnulusMap", TUBE, {"Domain": 1}),
     ("exact", "AuthalicMap", DISK, {"Tolerance": 0.02}),
     ("exactsquare", "AuthalicMap", DISK + [("InitialMap", "square", 0)], {"Domain": 1}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),

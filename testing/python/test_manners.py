@@ -30,6 +30,10 @@ def disk():
     return with_arrays(surface).to_vtk()
 
 
+def tube():
+    return with_arrays(authalic.read_surface(DATA / "bent_tube.off")).to_vtk()
+
+
 def ball():
     surface = authalic.read_surface(DATA / "folded_sphere.off")
     return with_arrays(surface, {"MedialWall": (surface.points[:, 2] < -20).astype(np.uint8)}).to_vtk()
@@ -37,15 +41,6 @@ def ball():
 
 def ring():
     return with_arrays(authalic.read_surface(DATA / "torus.off")).to_vtk()
-
-
-def tube():
-    """The bumpy disk without its middle."""
-    surface = authalic.read_surface(DATA / "bumpy_disk.off")
-    points, faces = surface.points, surface.faces
-    kept = np.linalg.norm(points[faces].mean(axis=1)[:, :2], axis=1) > np.ptp(points[:, 0]) / 6
-    used, corners = np.unique(faces[kept], return_inverse=True)
-    return with_arrays(authalic.Surface(points[used], corners.reshape(-1, 3))).to_vtk()
 
 
 def with_arrays(surface, more=None):

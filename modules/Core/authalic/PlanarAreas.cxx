@@ -29,11 +29,12 @@ AreaFunctional::Frames PlanarAreas::frames(const Coordinates& image) const {
   return result;
 }
 
-AreaFunctional::Gradients PlanarAreas::gradients(const Coordinates& image, const Frames& frames) const {
-  Gradients result(faces().rows(), 6);
-  for (Eigen::Index f = 0; f < faces().rows(); ++f) {
+AreaFunctional::Gradients planarGradients(const Faces& faces, const Coordinates& image,
+                                          const AreaFunctional::Frames& frames) {
+  AreaFunctional::Gradients result(faces.rows(), 6);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const int i = faces()(f, k), j = faces()(f, (k + 1) % 3), l = faces()(f, (k + 2) % 3);
+      const int i = faces(f, k), j = faces(f, (k + 1) % 3), l = faces(f, (k + 2) % 3);
       const double gx = 0.5 * (image(j, 1) - image(l, 1)), gy = 0.5 * (image(l, 0) - image(j, 0));
       result(f, 2 * k) = gx * frames(i, 0) + gy * frames(i, 1);
       result(f, 2 * k + 1) = gx * frames(i, 2) + gy * frames(i, 3);
@@ -42,19 +43,27 @@ AreaFunctional::Gradients PlanarAreas::gradients(const Coordinates& image, const
   return result;
 }
 
+AreaFunctional::Gradients PlanarAreas::gradients(const Coordinates& image, const Frames& frames) const {
+  return planarGradients(faces(), image, frames);
+}
+
 Coordinates PlanarAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
   Points2 result = image + t * displacement;
   sliding_.retract(result);
   return result;
 }
 
-double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
-  const int a = faces()(face, 0), b = faces()(face, 1), c = faces()(face, 2);
+double planarFirstFlip(const Faces& faces, const Coordinates& image, const Coordinates& displacement, int face) {
+  const int a = faces(face, 0), b = faces(face, 1), c = faces(face, 2);
   const auto edge = [](const Coordinates& x, int from, int to) { return Eigen::Vector2d(x.row(to) - x.row(from)); };
   const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) { return u[0] * v[1] - u[1] * v[0]; };
   const Eigen::Vector2d e = edge(image, a, b), g = edge(image, a, c), d = edge(displacement, a, b),
                         h = edge(displacement, a, c);
   return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
+  return planarFirstFlip(faces(), image, displacement, face);
 }
 
 }  // namespace authalic

@@ -22,4 +22,10 @@ class PlanarAreas final : public AreaFunctional {
   const SlidingBoundary& sliding_;
 };
 
+/// AreaFunctional::gradients() and firstFlip() of any planar image.
+[[nodiscard]] AreaFunctional::Gradients planarGradients(const Faces& faces, const Coordinates& image,
+                                                        const AreaFunctional::Frames& frames);
+[[nodiscard]] double planarFirstFlip(const Faces& faces, const Coordinates& image, const Coordinates& displacement,
+                                     int face);
+
 }  // namespace authalic

@@ -38,9 +38,11 @@ PeriodicRectangle unroll(const FlatCylinder& cylinder, const Faces& faces, int v
   rectangle.faces = std::move(open.faces);
   rectangle.originalPointIds = std::move(open.originalPointIds);
   rectangle.points.resize(static_cast<Eigen::Index>(rectangle.originalPointIds.size()), 2);
+  rectangle.logScale.resize(rectangle.points.rows());
   for (Eigen::Index i = 0; i < rectangle.points.rows(); ++i) {
     const int v = rectangle.originalPointIds[static_cast<std::size_t>(i)];
     const double turns = i < vertexCount ? 0 : cylinder.turns;  // copies lie one period on
+    rectangle.logScale[i] = cylinder.flow.logScale[v] - std::log(2 * M_PI);
     rectangle.points.row(i) << cylinder.strip(v, 1) / (2 * M_PI) + turns, -cylinder.strip(v, 0) / (2 * M_PI);
   }
   return rectangle;
@@ -73,8 +75,9 @@ AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions&
   const std::size_t outer = outerLoopOf(annulus, options);
   const int start = startVertexOf(annulus.loops()[outer], options);
   const TriangleMesh& mesh = annulus.mesh();
-  FlatCylinder cylinder = flatCylinder(mesh, annulus.topology(), annulus.loops()[outer],
-                                       annulus.loops()[1 - outer], options.flow, execution.part(0, 0.9));
+  FlatCylinder cylinder =
+      flatCylinder(mesh, annulus.topology(), annulus.loops()[outer], annulus.loops()[1 - outer], options.flow,
+                   execution.part(0, 0.9), options.refine);
   AnnulusMapResult result;
   result.status = cylinder.flow.status;
   result.residual = cylinder.flow.residual;
@@ -89,6 +92,10 @@ AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions&
     result.modulus = cylinder.height / (2 * M_PI);
     result.innerRadius = std::exp(-cylinder.height);
     result.image = exponential(cylinder.strip);
+    result.logScale = cylinder.flow.logScale.head(mesh.vertexCount()) + cylinder.strip.col(0);
+    if (options.refine) {
+      result.refinement = commonRefinement(mesh, annulus.topology(), cylinder.flow.triangulation, result.image);
+    }
     result.rectangle = unroll(cylinder, mesh.faces(), mesh.vertexCount());
     unfoldBoth(annulus, options.unfold, result);
   }

@@ -2,11 +2,13 @@
 /// Conformal maps of annuli: onto a concentric ring and onto a periodic rectangle.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "Core/base/Execution.h"
 #include "Core/base/Status.h"
 #include "Core/conformal/YamabeFlow.h"
+#include "Core/geometry/CommonRefinement.h"
 #include "Core/mesh/AnnulusMesh.h"
 
 namespace authalic {
@@ -14,6 +16,7 @@ namespace authalic {
 struct AnnulusMapOptions {
   int outerLoop = -1;    ///< loop of AnnulusMesh::loops() that becomes the outer circle; −1 = the longer one (mm)
   int startVertex = -1;  ///< vertex of the outer loop at angle 0; −1 = the one with the smallest id
+  bool refine = false;   ///< also return the common refinement of surface and flow on the ring
   bool unfold = true;    ///< bulge pockets, re-embed small patches around folded faces (initial/Unfold)
   YamabeFlowOptions flow;
 };
@@ -24,11 +27,14 @@ struct PeriodicRectangle {
   Points2 points;
   Faces faces;                        ///< m×3, faces of the input in order, opened along the cut
   std::vector<int> originalPointIds;  ///< n': vertex of the input; the first n are the input's, then the copies
+  Eigen::VectorXd logScale;           ///< n': u, as for the ring, and exact
 };
 
 struct AnnulusMapResult {
   Points2 image;                  ///< n×2: outer loop on the unit circle, inner loop on the circle of
                                   ///< `innerRadius` about 0
+  Eigen::VectorXd logScale;       ///< n: u of the ring: image lengths are l_ij e^{(u_i + u_j)/2} to second order in
+                                  ///< the length; circle packing: ln of the radii
   PeriodicRectangle rectangle;
   double modulus = 0;             ///< (1/2π) ln R/r = height / circumference
   double innerRadius = 0;         ///< r, with R = 1
@@ -44,6 +50,7 @@ struct AnnulusMapResult {
   int flippedRectangleFaces = 0;  ///< folded faces of the rectangle
   int pockets = 0;                ///< pockets bulged into the hole of the ring, see FoldedPockets
   int rectanglePockets = 0;       ///< pockets bulged out of the rectangle
+  std::optional<CommonRefinement> refinement;  ///< when asked for, with the ring as it is before unfolding
   int iterations = 0;
   int edgeFlips = 0;              ///< of the intrinsic triangulation, all kinds
   std::vector<YamabeIteration> history;
@@ -64,7 +71,8 @@ struct AnnulusMapResult {
 /// flippedFaces, flippedRectangleFaces).
 /// Complexity: that of the flow. When cancelled, the image is empty and the status says so. @cite nadeem2017
 /// @cite springborn2008
-/// @throws InvalidArgument from options; GeometryError when an edge has no length; SolverError
+/// @throws InvalidArgument from options, also when a refinement is asked for where a boundary edge had to be split;
+///         GeometryError when an edge has no length; SolverError
 [[nodiscard]] AnnulusMapResult annulusMap(const AnnulusMesh& annulus, const AnnulusMapOptions& options = {},
                                           const Execution& execution = {});
 

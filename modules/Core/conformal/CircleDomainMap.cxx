@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -35,16 +36,18 @@ IntrinsicTriangulation byCurvature(const PolyAnnulusMesh& surface, const CircleD
   const Development development = develop(flow.triangulation, flow.logScale);
   result.holonomy = development.holonomy;
   result.image = development.points.topRows(n);
+  result.logScale = flow.logScale.head(n);
   return std::move(flow.triangulation);
 }
 
-// Vertices of every loop onto its circle, the outer circle onto the unit circle.
+// Vertices of every loop onto its circle, the outer circle onto the unit circle; u follows.
 void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options,
             const IntrinsicTriangulation& flipped, CircleDomainResult& result) {
   const auto& loops = surface.loops();
   const std::vector<int>& outerLoop = loops[static_cast<std::size_t>(result.outerLoop)];
   const FittedCircle outer = fitCircle(result.image, outerLoop);
   result.image = (result.image.rowwise() - outer.centre) / outer.radius;
+  result.logScale.array() -= std::log(outer.radius);
   for (const std::vector<int>& loop : loops) {
     const FittedCircle circle = fitCircle(result.image, loop);
     result.roundness = std::max(result.roundness, circle.deviation);
@@ -54,8 +57,13 @@ void settle(const PolyAnnulusMesh& surface, const CircleDomainOptions& options,
     }
   }
   for (const int v : outerLoop) result.image.row(v).normalize();
-  result.image =
-      normaliseDisk(surface.mesh(), surface.topology(), outerLoop, result.image, options.normalisation);
+  const Mobius normal =
+      normalisingMap(surface.mesh(), surface.topology(), outerLoop, result.image, options.normalisation);
+  for (Eigen::Index v = 0; v < result.logScale.size(); ++v) {
+    result.logScale[v] += std::log(std::abs(normal.derivative({result.image(v, 0), result.image(v, 1)})));
+  }
+  result.image = normal(result.image);
+  for (const int v : outerLoop) result.image.row(v).normalize();
   for (const std::vector<int>& loop : loops) result.circles.push_back(fitCircle(result.image, loop));
   if (options.refine)
     result.refinement = commonRefinement(surface.mesh(), surface.topology(), flipped, result.image);

@@ -39,6 +39,9 @@ struct CircleDomainOptions {
 
 struct CircleDomainResult {
   Points2 image;                      ///< n×2
+  Eigen::VectorXd logScale;           ///< n: u of the image's metric. Road Curvature with vertex scaling: image
+                                      ///< lengths are l_ij e^{(u_i + u_j)/2} where no edge was flipped; circle
+                                      ///< packing: ln of the radii, to second order; empty on the road Koebe
   std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops(); deviation to 1e-14
   int outerLoop = 0;
   Status status = Status::NotRun;     ///< of the flow; Koebe: Converged when every loop is round

@@ -24,11 +24,12 @@ double deviationFrom(double value, const Points2& points, const std::vector<int>
 
 FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topology,
                           const std::vector<int>& outer, const std::vector<int>& inner,
-                          const YamabeFlowOptions& options, const Execution& execution) {
+                          const YamabeFlowOptions& options, const Execution& execution, bool trackCrossings) {
   FlatCylinder cylinder;
   cylinder.cut = cutAnnulus(mesh, topology, outer, inner);
   IntrinsicTriangulation triangulation(mesh, topology);
   triangulation.attachWinding(cylinder.cut.winding);
+  if (trackCrossings) triangulation.trackCrossings();
   cylinder.flow =
       yamabeFlow(std::move(triangulation), Eigen::VectorXd::Zero(mesh.vertexCount()), {}, options, execution);
   if (cylinder.flow.status == Status::Cancelled) return cylinder;

@@ -24,10 +24,12 @@ struct FlatCylinder {
 };
 
 /// Flow to K̄ = 0 everywhere, cut along a shortest path between the loops, develop.
-/// @param topology  of an annulus with these two loops
+/// @param topology        of an annulus with these two loops
+/// @param trackCrossings  whether the triangulation tracks the edges of the surface, for a common refinement
 [[nodiscard]] FlatCylinder flatCylinder(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                         const std::vector<int>& outer, const std::vector<int>& inner,
-                                        const YamabeFlowOptions& options, const Execution& execution);
+                                        const YamabeFlowOptions& options, const Execution& execution,
+                                        bool trackCrossings = false);
 
 /// e^{ξ + iθ} of every row.
 [[nodiscard]] Points2 exponential(const Points2& strip);

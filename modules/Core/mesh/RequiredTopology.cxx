@@ -26,6 +26,12 @@ std::string loopOf(const TriangleMesh& mesh, const SurfaceTopology& topology) {
   return "a loop of " + std::to_string(loop.size()) + " edges around " + at(middle);
 }
 
+std::string placesOf(const std::vector<BoundaryLoopReport>& loops) {
+  std::string places;
+  for (const BoundaryLoopReport& loop : loops) places += (places.empty() ? "" : ", ") + at(loop.place);
+  return places;
+}
+
 /// Where the first reason not to be such a surface lies and what would help.
 std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, const MeshReport& report,
                      const RequiredTopology& required) {
@@ -51,11 +57,12 @@ std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, 
   }
   if (report.loops.size() < required.fewestLoops) {
     return report.loops.empty() ? "no boundary; open the surface first ('authalic cut')"
-                                : "too few boundary loops; cut an opening, or take a method for fewer loops";
+                                : "too few boundary loops, only those near " + placesOf(report.loops) +
+                                      "; cut another opening ('authalic cut'), or take a method for fewer loops";
   }
   if (report.loops.size() > required.mostLoops) {
     return "a boundary loop too many near " + at(report.loops[required.mostLoops].place) +
-           "; close it, or take a method for more loops";
+           "; close it, or take a method for more loops ('authalic info' lists the loops)";
   }
   if (report.genus < required.genus) {
     return "too few handles (genus " + std::to_string(report.genus) + "); take a method for this genus";

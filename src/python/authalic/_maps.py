@@ -194,7 +194,7 @@ def _set_domain(algorithm, method, domain):
     if not hasattr(algorithm, "SetDomain"):
         raise InvalidArgument(f"Method {method} has one domain only; leave domain out.")
     if isinstance(domain, str):
-        if domain in ("rectangle", "polygon"):
+        if domain in ("rectangle", "polygon") and hasattr(algorithm, "SetAspect"):
             raise InvalidArgument('domain must be ("rectangle", aspect) or the corners of a polygon, (k, 2).')
         _filters.configure(algorithm, domain=domain)
     elif isinstance(domain, tuple) and domain and domain[0] == "rectangle":

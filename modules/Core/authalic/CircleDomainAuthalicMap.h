@@ -1,0 +1,61 @@
+/// @file
+/// The exact authalic solve for surfaces with holes.
+#pragma once
+
+#include <vector>
+
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/mesh/PolyAnnulusMesh.h"
+#include "Core/numerics/CircleFit.h"
+
+namespace authalic {
+
+struct CircleDomainAuthalicMapOptions {
+  AuthalicMapOptions solve;       ///< its domain is not read
+  int outerLoop = -1;             ///< loop of PolyAnnulusMesh::loops() that becomes the unit circle; −1 = the longest
+                                  ///< (mm)
+  /// Areas of the holes, mm², one per loop but the outer one, in the order of loops(); what counts is their ratio to
+  /// the area of the surface. Empty: of the cones that close them on the surface, tip in the mean of the loop.
+  std::vector<double> holeAreas;
+
+  /// @throws InvalidArgument naming the field that is outside its range.
+  void validate(const PolyAnnulusMesh& surface) const;
+};
+
+struct CircleDomainAuthalicMapResult {
+  Points2 image;                      ///< n×2; vertices in the order of the input
+  std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops()
+  int outerLoop = 0;
+  std::vector<double> holeAreas;      ///< prescribed, in the order of the options
+  double holeResidual = 0;            ///< max |ln r| of the holes, r = share of the image / prescribed share
+  int pockets = 0;                    ///< ears of the surface that lie in holes, see FoldedPockets
+  Status status = Status::NotRun;     ///< Converged: both residuals within their tolerances, and no fold
+  int iterations = 0;                 ///< steps of both kinds
+  double faceResidual = 0;            ///< as in AuthalicMapResult
+  double vertexResidual = 0;          ///< max |ln r_v|
+  int flippedFaces = 0;
+  std::vector<AuthalicIteration> history;
+  double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
+};
+
+/// Maps a surface of genus 0 with k ≥ 1 loops to the unit disk without k − 1 round holes of prescribed areas so that
+/// every vertex star has its target area, as authalicMap().
+///
+/// With A the area of the surface, H_j those of the holes and T the area of the outer polygon, the
+/// polygon of hole j has the area T H_j / (A + Σ H) in every iterate (CircleDomainAreas): hole areas are exact, radii
+/// follow from them. The start is the conformal map (circleDomainMap); a radial map around every hole brings it to its
+/// area there.
+///
+/// Guarantees: loops on their circles to 1e-14, but for vertices of ears on inner loops, which lie in the hole
+/// (`pockets`); hole areas to 1e-12; when not converged, the best iterate with its residuals. No folded face when the
+/// start could be unfolded (→ flippedFaces).
+/// Not guaranteed: that the centres of the holes are the best ones: they stay where the conformal map has them.
+/// Complexity: that of circleDomainMap and authalicMap. When cancelled in the start, the image is empty.
+/// @throws InvalidArgument from options; GeometryError when the target does not belong to the surface, a hole does not
+///         fit between the others, or the start cannot be unfolded; SolverError
+/// @cite zou2011 @cite su2016
+[[nodiscard]] CircleDomainAuthalicMapResult circleDomainAuthalicMap(
+    const PolyAnnulusMesh& surface, const TargetMeasure& target, const CircleDomainAuthalicMapOptions& options = {},
+    const Execution& execution = {});
+
+}  // namespace authalic
