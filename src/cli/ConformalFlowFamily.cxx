@@ -75,6 +75,9 @@ class ConformalFlowFamily : public MapFamily {
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     map->SetUnfold(!shared.noUnfold);
     if (metric_) map->SetMetric(choice("--metric", *metric_, metrics));
+    if (radii_ && map->GetMetric() != vtkConformalFlowAlgorithm::CIRCLE_PACKING) {
+      throw Failure(UsageProblem, "--packing-radii needs --metric circle-packing.");
+    }
     if (radii_) map->SetPackingRadii(choice("--packing-radii", *radii_, radii));
     if (auto* disk = vtkUnitDiskConformalAlgorithm::SafeDownCast(map)) place(disk);
     return map;
@@ -119,6 +122,9 @@ class ConformalFlowFamily : public MapFamily {
     requireDomain("riemann", domain, {"disk"});
     const auto map = vtkSmartPointer<vtkRiemannMap>::New();
     if (road_) map->SetRoad(choice("--road", *road_, riemannRoads));
+    if (puncture_ && map->GetRoad() != vtkRiemannMap::PUNCTURE) {
+      throw Failure(UsageProblem, "--puncture FACE needs --road puncture.");
+    }
     if (puncture_) map->SetPuncturedFace(*puncture_);
     return map;
   }

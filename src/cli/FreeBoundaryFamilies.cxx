@@ -49,6 +49,9 @@ class LeastSquaresConformalFamily : public MapFamily {
       map->SetFirstPin(pinned_[0]);
       map->SetSecondPin(pinned_[1]);
     }
+    if ((shared.tolerance || shared.maxIterations) && map->GetPins() != vtkLeastSquaresConformalMap::SPECTRAL) {
+      throw Failure(UsageProblem, "--tolerance and --max-iterations of lscm need --pins spectral.");
+    }
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     return map;
@@ -65,8 +68,11 @@ class SymmetricDirichletFamily : public MapFamily {
   std::vector<std::string> methods() const override { return {"slim"}; }
 
   std::string description() const override {
-    return "slim: as isometric as can be without a fold (symmetric Dirichlet energy); a disk, with a free boundary "
-           "(--domain free, the default) or held on the unit circle (--domain disk).";
+    return "slim: as isometric as can be without a fold (symmetric Dirichlet energy); a disk, with a free "
+           "boundary "
+           "(--domain free, the default) or one that stays where the start has it, the unit circle unless "
+           "--initial is a "
+           "MAP.vtp (--domain disk).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {

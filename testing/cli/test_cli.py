@@ -78,7 +78,7 @@ class Usage(CommandLine):
         self.fails(2)
         self.fails(2, "fold", "x")
         self.fails(2, "map", "tutte")
-        self.assertIn("lie-flow", self.fails(2, "map", "slim", self.sheet, "-o", "m.vtp"))
+        self.assertIn("lie-flow", self.fails(2, "map", "mercator", self.sheet, "-o", "m.vtp"))
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "sphere")
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "rectangle:wide")
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--tolerance", "1")
@@ -311,6 +311,29 @@ class Results(CommandLine):
                        "version"):
             self.assertIn(member, report)
 
+    def test_conformal_maps_keep_angles(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        for name, method, *words in (("bumpy_disk.off", "riemann"), ("bumpy_disk.off", "riemann", "--road", "puncture"),
+                                     ("bumpy_disk.off", "riemann", "--centre", "face:3"),
+                                     ("bumpy_disk.off", "yamabe", "--metric", "circle-packing"),
+                                     ("bumpy_disk.off", "lscm", "--pins", "spectral"), ("bent_tube.off", "annulus"),
+                                     ("bent_tube.off", "annulus", "--domain", "rectangle"),
+                                     ("bent_tube.off", "circle-domain", "--road", "koebe")):
+            self.succeeds("map", method, fixtures / name, "-o", "c.vtp", "--report", "c.json", "-q", *words)
+            report = json.loads((self.here / "c.json").read_text())
+            self.assertEqual((report["method"], report["status"], report["metrics"]["flipped_faces"]),
+                             (method, "converged", 0), words)
+            self.assertLess(report["metrics"]["angle_distortion"], 2.05, (method, words))
+
+    def test_options_of_conformal_maps_that_do_nothing_are_2(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for words in (("riemann", "--puncture", 3), ("riemann", "--packing-radii", "tangent"), ("annulus", "--refine"),
+                      ("yamabe", "--road", "koebe"), ("yamabe", "--domain", "free"), ("riemann", "--centre", "middle"),
+                      ("lscm", "--tolerance", 1e-3), ("lscm", "--domain", "disk"), ("slim", "--domain", "square"),
+                      ("riemann", "--outer-vertex", 1), ("riemann", "--domain", "free")):
+            self.fails(2, "map", words[0], disk, "-o", "m.vtp", *words[1:])
+        self.assertIn("boundary loops", self.fails(3, "map", "annulus", disk, "-o", "m.vtp"))
+
     def test_closed_surfaces_have_domains_of_their_own(self):
         torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
         self.succeeds("map", "authalic", torus, "-o", "t.vtp", "--domain", "torus", "--report", "t.json", "-q",
@@ -350,8 +373,11 @@ class Results(CommandLine):
         self.succeeds(*words, "--allow-nonconverged")
 
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
-        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        for method in ("tutte", "harmonic", "mean-value", "lie-flow", "authalic"):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        surfaces = {"bumpy_disk.off": ("tutte", "harmonic", "mean-value", "lie-flow", "lie-advection", "authalic",
+                                       "riemann", "yamabe", "lscm", "slim"),
+                    "bent_tube.off": ("annulus", "circle-domain"), "folded_sphere.off": ("sphere", "welding")}
+        for disk, method in ((fixtures / name, method) for name, methods in surfaces.items() for method in methods):
             maps, reports = [], []
             for name, threads in (("a", 1), ("b", 1), ("c", 2)):
                 self.succeeds("map", method, disk, "-o", f"{name}.vtp", "--report", f"{name}.json",
