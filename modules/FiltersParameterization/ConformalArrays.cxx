@@ -4,6 +4,9 @@
 #include <string>
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -52,6 +55,22 @@ int loopThrough(int vertex, const std::vector<std::vector<int>>& loops) {
       "A vertex of a boundary loop is required as the outer vertex (-1: the longest loop), but vertex " +
       std::to_string(vertex) + " is on none of the " + std::to_string(loops.size()) +
       "; 'authalic info' lists them.");
+}
+
+void addCircles(const std::vector<FittedCircle>& circles, vtkPolyData* map, MapReport& report) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Circles");
+  array->SetNumberOfComponents(3);
+  std::vector<double> numbers, roundness;
+  for (const FittedCircle& circle : circles) {
+    array->InsertNextTuple3(circle.centre[0], circle.centre[1], circle.radius);
+    numbers.insert(numbers.end(), {circle.centre[0], circle.centre[1], circle.radius});
+    roundness.push_back(circle.deviation);
+  }
+  map->GetFieldData()->AddArray(array);
+  addField(map, "CircleRoundness", roundness);
+  report.more.set("circles", Json::arrayOf(numbers));
+  report.more.set("circle_roundness", Json::arrayOf(roundness));
 }
 
 void fillRefinement(const std::optional<CommonRefinement>& refinement, vtkPolyData* map, vtkPolyData* output,

@@ -24,6 +24,9 @@ template <class Result>
 /// @throws InvalidArgument when the vertex is on none
 [[nodiscard]] int loopThrough(int vertex, const std::vector<std::vector<int>>& loops);
 
+/// Circles (x, y, radius of every loop) and CircleRoundness (deviation over radius) on `map` and in the report.
+void addCircles(const std::vector<FittedCircle>& circles, vtkPolyData* map, MapReport& report);
+
 /// The refinement as a map of its own (see vtkCurvatureFlowMapAlgorithm), and RefinementFlippedFaces on `map`; nothing
 /// when there is none.
 void fillRefinement(const std::optional<CommonRefinement>& refinement, vtkPolyData* map, vtkPolyData* output,

@@ -1,9 +1,6 @@
 #include "vtkCircleDomainMap.h"
 
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -21,23 +18,11 @@ static_assert(static_cast<int>(authalic::DiskCentre::Face) == vtkCircleDomainMap
 
 namespace {
 
-void addCircles(const authalic::CircleDomainResult& result, vtkPolyData* map, authalic::MapReport& report) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Circles");
-  array->SetNumberOfComponents(3);
-  std::vector<double> numbers, roundness;
-  for (const authalic::FittedCircle& circle : result.circles) {
-    array->InsertNextTuple3(circle.centre[0], circle.centre[1], circle.radius);
-    numbers.insert(numbers.end(), {circle.centre[0], circle.centre[1], circle.radius});
-    roundness.push_back(circle.deviation);
-  }
-  map->GetFieldData()->AddArray(array);
-  authalic::addField(map, "CircleRoundness", roundness);
+void describeLoops(const authalic::CircleDomainResult& result, vtkPolyData* map, authalic::MapReport& report) {
+  authalic::addCircles(result.circles, map, report);
   authalic::addField(map, "OuterLoop", result.outerLoop);
   authalic::addField(map, "Roundness", result.roundness);
   authalic::addField(map, "Rounds", result.rounds);
-  report.more.set("circles", authalic::Json::arrayOf(numbers));
-  report.more.set("circle_roundness", authalic::Json::arrayOf(roundness));
   report.more.set("outer_loop", result.outerLoop);
   report.more.set("roundness", result.roundness);
   report.more.set("rounds", result.rounds);
@@ -81,7 +66,7 @@ void vtkCircleDomainMap::Compute(vtkInformationVector** inputs, vtkInformationVe
   const authalic::Distortion distortion = authalic::fillMap(input, output, surface.mesh(), map.image, target.faces());
   authalic::MapReport report = authalic::describeFlowMap(map, output);
   authalic::fillRefinement(map.refinement, output, vtkPolyData::GetData(outputs, 1), report);
-  addCircles(map, output, report);
+  describeLoops(map, output, report);
   report.method = "circle-domain";
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(surface.mesh(), surface.topology());
