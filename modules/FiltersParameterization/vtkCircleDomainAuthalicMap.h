@@ -17,7 +17,7 @@
  * | field | HoleResidual | 1 double | | max of the absolute logarithm of image share / prescribed share of holes |
  * | field | Pockets | 1 int | | ears of the surface that lie in holes |
  *
- * See zou2011 and su2016 in docs/references.bib, and docs/methods/circle-domain.md.
+ * See zou2011 and su2016 in docs/references.bib, and docs/methods/authalic-with-holes.md.
  *
  * @sa vtkCircleDomainMap vtkAuthalicMap
  */

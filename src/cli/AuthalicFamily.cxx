@@ -24,19 +24,23 @@ class AuthalicFamily : public MapFamily {
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", "a MAP.vtp to the same disk, polygon or sphere (default: Tutte's)"},
-            {"--tolerance", "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
-            {"--outer-vertex", "of circle-domain and annulus, a vertex of the loop that becomes the unit circle, from 0; "
-                               "-1 is the longest loop (default: -1)"},
-            {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+    return {
+        {"--initial", "a MAP.vtp to the same disk, polygon or sphere (default: Tutte's)"},
+        {"--tolerance",
+         "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
+        {"--outer-vertex",
+         "of circle-domain and annulus, a vertex of the loop that becomes the unit circle, from 0; "
+         "-1 is the longest loop (default: -1)"},
+        {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
-    own(verb->add_option("--hole-areas", holeAreas_,
-                         "Of circle-domain and annulus: area of every hole but the outer loop, mm^2, > 0, in the order of "
-                         "the loops' smallest vertex ids; by default, of the cones that close them."))
+    own(verb->add_option(
+            "--hole-areas", holeAreas_,
+            "Of circle-domain and annulus: area of every hole but the outer loop, mm^2, > 0, in the order of "
+            "the loops' smallest vertex ids; by default, of the cones that close them."))
         ->type_name("AREA...");
   }
 

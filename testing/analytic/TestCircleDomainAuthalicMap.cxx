@@ -58,8 +58,8 @@ TEST(CircleDomainAuthalicMap, OfRealFacesIsExactAtVerticesAndHoles) {
 
 TEST(CircleDomainAuthalicMap, OfASphericalZoneHasNearlyTheRadiiOfLambert) {
   // Rotations of one ring against the next preserve areas too, so that second order is not to be expected.
-  // r² = ρ² + (1 − ρ²) · share of the area nearer to the hole; the hole has the area of the cap that it lacks: r is then
-  // the chord from the pole, over that of the rim.
+  // r² = ρ² + (1 − ρ²) · share of the area nearer to the hole; the hole has the area of the cap that it lacks: r is
+  // then the chord from the pole, over that of the rim.
   constexpr double kHole = 0.3, kRim = 1.2;  // of the radius; polar angle
   for (const bool concentric : {false, true}) {
     double before = 0;

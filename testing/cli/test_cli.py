@@ -382,6 +382,19 @@ class Results(CommandLine):
             self.assertLess(abs(modulus - ring["conformal_modulus"]), 0.01 * modulus)
             self.assertLess(max(found[name]["circle_roundness"]), 1e-12)
 
+    def test_holes_have_their_areas_and_vertices_theirs(self):
+        tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
+        for domain in ("circle-domain", "annulus"):
+            self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", domain, "--hole-areas", 150, "--tolerance",
+                          0.05, "--outer-vertex", 0, "--report", "h.json")
+            report = json.loads((self.here / "h.json").read_text())
+            self.assertEqual((report["status"], report["flips"], report["outer_loop"]), ("converged", 0, 0))
+            self.assertEqual((report["options"]["domain"], report["hole_areas"]), (domain, [150]))
+            self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
+        self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
+        self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
+                                                  "--hole-areas", 1, 2))
+
     def test_surfaces_with_other_loops_are_3_with_their_places(self):
         disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
         torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"

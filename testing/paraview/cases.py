@@ -38,6 +38,8 @@ CASES = [
     ("unrolled", "AnnulusMap", TUBE, {"Domain": 1, "OuterVertex": -1}),
     ("round", "CircleDomainMap", TUBE, {"Centre": 2, "CentreId": 7, "Refine": True}),
     ("koebe", "CircleDomainMap", TUBE, {"Road": 1, "RoundnessTolerance": 1e-5, "MaximumRounds": 20, "OuterVertex": -1}),
+    ("holed", "CircleDomainAuthalicMap", TUBE, {"Tolerance": 0.05, "HoleArea": [(150.0,)]}),
+    ("concentric", "CircleDomainAuthalicMap", TUBE, {"Tolerance": 0.05, "Concentric": True, "OuterVertex": -1}),
     ("distortion", "MapDistortion", [("Input", "flow", 0), ("Surface", "disk", 0)], {"Details": True}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),

@@ -165,6 +165,16 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "one domain"):
             authalic.flatten(tube, method="circle-domain", domain="disk")
 
+    def test_holes_get_the_areas_that_they_are_given(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], concentric=True, tolerance=0.05)
+        self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0))
+        self.assertLess(result.metrics["vertex_log_area_ratio_max_abs"], 1e-9)
+        self.assertLess(result.report["hole_residual"], 1e-9)
+        self.assertEqual(result.report["hole_areas"], [150])
+        with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
+            authalic.flatten(tube, method="annulus", hole_areas=[150])
+
     def test_slim_keeps_the_boundary_of_a_domain_that_was_asked_for(self):
         points, faces = bumpy_disk()
         free, disk = (authalic.flatten(points, faces, "slim", domain) for domain in (None, "disk"))

@@ -97,6 +97,7 @@ CASES = {
     "vtkRiemannMap": Case((disk,), {"Refine": True}, wrong=(0, ball)),
     "vtkAnnulusMap": Case((tube,), wrong=(0, ball)),
     "vtkCircleDomainMap": Case((tube,), {"Refine": True}, wrong=(0, ball)),
+    "vtkCircleDomainAuthalicMap": Case((tube,), wrong=(0, ball), adders={"AddHoleArea": (150.0,)}),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

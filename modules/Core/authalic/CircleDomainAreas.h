@@ -17,9 +17,9 @@ struct LoopOnCircle {
 
 /// Inner vertices move anywhere, those of loops along their circle.
 ///
-/// The radius of a hole is not free: whatever the angles θ of its vertices, ρ² ½ Σ sin Δθ = share · T with T the area of
-/// the outer polygon. moved() puts it there, so that hole areas are exact to rounding in every image. What a step along
-/// the circles changes in ρ is of second order in Δθ and left out of the derivatives.
+/// The radius of a hole is not free: whatever the angles θ of its vertices, ρ² ½ Σ sin Δθ = share · T with T the
+/// area of the outer polygon. moved() puts it there, so that hole areas are exact to rounding in every image. What
+/// a step along the circles changes in ρ is of second order in Δθ and left out of the derivatives.
 class CircleDomainAreas final : public AreaFunctional {
  public:
   /// @param loops  the outer one (unit circle) first

@@ -36,6 +36,7 @@ METHODS: dict[str, Method] = {
     "riemann": Method("vtkRiemannMap"),
     "annulus": Method("vtkAnnulusMap", surface="annulus"),
     "circle-domain": Method("vtkCircleDomainMap", surface="holes"),
+    "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="holes"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
 }
 
@@ -114,6 +115,7 @@ def flatten(points: Any,
             max_iterations: Optional[int] = None,
             *,
             curvature: Any = None,
+            hole_areas: Any = None,
             threads: int = 0,
             progress: Progress = None,
             on_not_converged: str = "warn",
@@ -122,11 +124,12 @@ def flatten(points: Any,
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
                 The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk);
-                "annulus" needs two loops, "circle-domain" one or more
+                "annulus" needs two loops, "circle-domain" and "authalic-holes" one or more
     method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann": conformal, onto the unit disk; "yamabe": conformal, to a round disk, or with `curvature`
                 to the domain whose boundary turns as it says; "lscm": conformal, with a free boundary;
+                "authalic-holes": preserves areas exactly at every vertex, onto the unit disk without round holes;
                 "annulus": conformal, two loops onto a ring or a periodic rectangle, which is open along a cut: points
                 and faces of the result are those of the opened surface, with OriginalPointIds; "circle-domain":
                 conformal, onto the unit disk without round holes;
@@ -143,6 +146,8 @@ def flatten(points: Any,
     max_iterations  None = the default of the method
     curvature   of "yamabe": the angle by which the boundary turns at each vertex (n), radians, 0 at inner vertices,
                 2 pi in all, or the name of such an array; None = a circle
+    hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest
+                vertex ids; None = of the cones that close them
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
@@ -167,6 +172,7 @@ def flatten(points: Any,
     _set_measure(algorithm, method, mesh, measure)
     _set_initial(algorithm, method, mesh, initial)
     _set_curvature(algorithm, method, mesh, curvature)
+    _set_hole_areas(algorithm, method, hole_areas)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -242,6 +248,15 @@ def _set_curvature(algorithm, method, mesh, curvature):
     _arrays.add_arrays(mesh.GetPointData(), {"TargetCurvature": _arrays.numbers(curvature, "curvature", (vertices,))},
                        vertices, "vertices")
     algorithm.SetCurvatureArrayName("TargetCurvature")
+
+
+def _set_hole_areas(algorithm, method, hole_areas):
+    if hole_areas is None:
+        return
+    if not hasattr(algorithm, "AddHoleArea"):
+        raise InvalidArgument(f"Method {method} takes no hole_areas; leave them out.")
+    for area in _arrays.numbers(hole_areas, "hole_areas", (None,)):
+        algorithm.AddHoleArea(area)
 
 
 def _set_initial(algorithm, method, mesh, initial):
