@@ -91,6 +91,16 @@ def folded_sphere():
     return radius[:, None] * p, faces
 
 
+def shells():
+    """mm; the two halves of a closed surface without symmetry, with one rim of 72 vertices in the plane z = 0."""
+    p, faces = disk(12)
+    x, y = p.T
+    high = (1 - x**2 - y**2) * (1 + 0.4 * np.sin(4 * x + 1) * np.cos(3 * y))
+    low = -0.7 * (1 - x**2 - y**2) * (1 + 0.3 * np.cos(3 * x - y))
+    rim = np.isclose(x**2 + y**2, 1)
+    return [(30 * np.column_stack([x, y, np.where(rim, 0.0, z)]), f) for z, f in ((high, faces), (low, faces[:, ::-1]))]
+
+
 def phantom():
     """A two-hemisphere phantom at 2 mm: T1-like intensities, and labels 1 (left) and 2 (right) of the grey matter.
 
@@ -144,6 +154,8 @@ def main():
     fixtures = {
         "bumpy_disk.off": (off_bytes(*bumpy_disk()), "mm", "topological disk, 1 boundary loop of 120 vertices"),
         "folded_sphere.off": (off_bytes(*folded_sphere()), "mm", "closed, genus 0"),
+        "upper_shell.off": (off_bytes(*shells()[0]), "mm", "topological disk, meets lower_shell.off at its rim"),
+        "lower_shell.off": (off_bytes(*shells()[1]), "mm", "topological disk, meets upper_shell.off at its rim"),
         "torus.off": (off_bytes(*torus(24, 12)), "mm", "closed, genus 1"),
         "bent_tube.off": (off_bytes(*bent_tube(24, 24)), "mm", "annulus, 2 boundary loops of 24 vertices"),
         "phantom_t1.nii.gz": (nifti_bytes(t1, affine), "intensity", "two folded hemispheres, 2 mm: white 110, grey 80"),

@@ -43,7 +43,8 @@ assert np.array_equal(surface.points[disk.point_arrays["OriginalPointIds"]], dis
 # %% [markdown]
 # ## A map
 #
-# `flatten` gives every vertex a place. `lie-flow` preserves areas; `methods()` lists the others with their options.
+# `flatten` gives every vertex a place. `authalic`, the default, preserves areas; `methods()` lists the others with
+# their options.
 
 # %%
 print(list(authalic.methods()))
@@ -58,7 +59,7 @@ assert flat.converged and flat.metrics["flipped_faces"] == 0
 
 # %%
 harmonic = authalic.flatten(disk, method="harmonic")
-for name, result in (("harmonic", harmonic), ("lie-flow", flat)):
+for name, result in (("harmonic", harmonic), ("authalic", flat)):
     area, angle = result.metrics["area_distortion"], result.metrics["angle_distortion"]
     print(f"{name:9} area {area:.3f}  angle {angle:.3f}  (ideal 2)")
 assert flat.metrics["area_distortion"] < harmonic.metrics["area_distortion"]
@@ -123,12 +124,12 @@ except authalic.Cancelled as failure:
 # ## Files, and the VTK classes
 #
 # A map in a `.vtp` file keeps everything, for ParaView and for the command line. Every function runs a filter that
-# joins any VTK pipeline by itself; `help(authalic.vtkDiscreteLieFlow)` shows its ports, arrays and options.
+# joins any VTK pipeline by itself; `help(authalic.vtkAuthalicMap)` shows its ports, arrays and options.
 
 # %%
 authalic.write_surface(out / "map.vtp", flat)
-flow = authalic.vtkDiscreteLieFlow()
-flow.SetInputData(disk.to_vtk())
-flow.SetOutputModeToTextureCoordinates()  # the points stay the surface
-flow.Update()
-print(out / "map.vtp", "-", flow.GetOutput().GetPointData().GetTCoords().GetNumberOfTuples(), "texture coordinates")
+exact = authalic.vtkAuthalicMap()
+exact.SetInputData(disk.to_vtk())
+exact.SetOutputModeToTextureCoordinates()  # the points stay the surface
+exact.Update()
+print(out / "map.vtp", "-", exact.GetOutput().GetPointData().GetTCoords().GetNumberOfTuples(), "texture coordinates")

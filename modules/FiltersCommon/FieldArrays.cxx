@@ -72,6 +72,15 @@ void addArray(vtkDataSetAttributes* data, const char* name, const Points3& value
   data->AddArray(array);
 }
 
+void addArray(vtkDataSetAttributes* data, const char* name, const Eigen::VectorXcd& values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) array->SetTuple2(i, values[i].real(), values[i].imag());
+  data->AddArray(array);
+}
+
 void addField(vtkDataObject* object, const char* name, double value) {
   addField(object, name, std::vector<double>{value});
 }
@@ -89,6 +98,27 @@ void addField(vtkDataObject* object, const char* name, const std::string& value)
 
 void addField(vtkDataObject* object, const char* name, const std::vector<double>& values) {
   addScalars<vtkDoubleArray>(fieldsOf(object), name, values);
+}
+
+void addField(vtkDataObject* object, const char* name, const Eigen::MatrixXd& values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.cols()));
+  array->SetNumberOfTuples(values.rows());
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) array->SetComponent(i, static_cast<int>(k), values(i, k));
+  }
+  fieldsOf(object)->AddArray(array);
+}
+
+Eigen::MatrixXd matrixField(vtkDataObject* object, const std::string& name) {
+  vtkDataArray* array = fieldsOf(object)->GetArray(name.c_str());
+  if (!array) return {};
+  Eigen::MatrixXd values(array->GetNumberOfTuples(), array->GetNumberOfComponents());
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index k = 0; k < values.cols(); ++k) values(i, k) = array->GetComponent(i, static_cast<int>(k));
+  }
+  return values;
 }
 
 double numberField(vtkDataObject* object, const std::string& name, double otherwise) {

@@ -30,6 +30,9 @@ VTKAUTHALICFILTERSCOMMON_EXPORT void addArray(vtkDataSetAttributes* data, const 
                                               const Eigen::VectorXd& values);
 /// Three components per tuple.
 VTKAUTHALICFILTERSCOMMON_EXPORT void addArray(vtkDataSetAttributes* data, const char* name, const Points3& values);
+/// Two components per tuple: real and imaginary part.
+VTKAUTHALICFILTERSCOMMON_EXPORT void addArray(vtkDataSetAttributes* data, const char* name,
+                                              const Eigen::VectorXcd& values);
 /// Indices, as vtkIdType.
 VTKAUTHALICFILTERSCOMMON_EXPORT void addIds(vtkDataSetAttributes* data, const char* name,
                                             const std::vector<int>& ids);
@@ -39,6 +42,11 @@ VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char*
 VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char* name, const std::string& value);
 VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char* name,
                                               const std::vector<double>& values);
+/// One tuple per row.
+VTKAUTHALICFILTERSCOMMON_EXPORT void addField(vtkDataObject* object, const char* name, const Eigen::MatrixXd& values);
+/// One row per tuple of a field array; empty when it is not there.
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT Eigen::MatrixXd matrixField(vtkDataObject* object,
+                                                                          const std::string& name);
 
 /// First number of a field array; `otherwise` when it is not there.
 [[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT double numberField(vtkDataObject* object, const std::string& name,

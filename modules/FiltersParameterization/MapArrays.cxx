@@ -12,6 +12,7 @@
 
 #include "Conversion.h"
 #include "FieldArrays.h"
+#include "HistogramArrays.h"
 
 namespace authalic {
 namespace {
@@ -33,6 +34,13 @@ void addSummary(vtkPolyData* map, const DistortionSummary& s) {
       {"MeanBeltrami", s.meanBeltrami},
   };
   for (const auto& [name, value] : numbers) addField(map, name, value);
+  const std::pair<const char*, const Spread*> spreads[] = {
+      {"AngleError", &s.angleError}, {"QuasiConformal", &s.quasiConformal}, {"Beltrami", &s.beltrami}};
+  for (const auto& [name, spread] : spreads) {
+    addField(map, (std::string(name) + "StandardDeviation").c_str(), spread->standardDeviation);
+    addField(map, (std::string(name) + "Percentiles").c_str(),
+             std::vector<double>(spread->percentiles.begin(), spread->percentiles.end()));
+  }
   addField(map, "FlippedFaces", s.flippedFaces);
   addField(map, "DegenerateFaces", s.degenerateFaces);
 }
@@ -43,9 +51,11 @@ void addDistortion(vtkPolyData* map, const Distortion& distortion) {
   const DistortionArrays& a = distortion.arrays;
   addArray(map->GetCellData(), "AreaDistortion", a.logAreaRatio);
   addArray(map->GetCellData(), "AngleDistortion", a.angleDistortion);
+  addArray(map->GetCellData(), "BeltramiCoefficient", a.beltrami);
   addArray(map->GetCellData(), "Flipped", std::vector<char>(a.flipped.data(), a.flipped.data() + a.flipped.size()));
   addArray(map->GetPointData(), "VertexAreaDistortion", Eigen::VectorXd(a.vertexLogAreaRatio / std::log(2.0)));
   addSummary(map, distortion.summary);
+  addHistograms(map, distortionHistograms(a));
 }
 
 Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& surface, const Points2& image,

@@ -14,8 +14,10 @@ class vtkPolyData;
 
 namespace authalic {
 
-/// Cell arrays AreaDistortion, AngleDistortion and Flipped, point array VertexAreaDistortion, and one field-data
-/// number per metric of DistortionSummary, named as there with a capital first letter.
+/// Cell arrays AreaDistortion, AngleDistortion, BeltramiCoefficient and Flipped, point array VertexAreaDistortion, one
+/// field-data number per metric of DistortionSummary, named as there with a capital first letter, for each of its
+/// spreads NAME the numbers NAMEStandardDeviation and NAMEPercentiles (5, 25, 50, 75, 95, 99 %, maximum), and the
+/// histograms of HistogramArrays.h.
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void addDistortion(vtkPolyData* map, const Distortion& distortion);
 
 /// Makes `map` the image of `input`: the arrays of `input` pass through, points become `image` (z = 0, double),

@@ -2,26 +2,29 @@
  * @class vtkAnnulusMap
  * @brief Conformal map of a surface with two boundary loops onto a ring, or onto a periodic rectangle.
  *
- * The flow makes the surface a flat cylinder; it is cut along a shortest path and laid out. ANNULUS: the exponential of
- * it, a ring with the unit circle outside. RECTANGLE: periodic in x with period 1, y from 0 on the outer loop to the
- * modulus on the inner one. The rectangle is open along the cut: the vertices of the input come first, then those on
- * the other side of the cut, shifted by exactly 1. A long tube has a tiny inner circle: look at its rectangle.
+ * Finds the flat metric with straight loops in the discrete conformal class of the surface, a cylinder, cuts it along a
+ * shortest path, and lays it out: the exponential makes the ring. The rectangle is periodic in x with period 1 and has
+ * the modulus as its height; its sides follow the cut and differ by a shift of 1. The vertices of the input come first,
+ * then the copies on the other side of the cut.
  *
- * Folded faces and non-convergence: as in vtkYamabeMap; pockets of the boundary bulge out of circles and lines. Input 0
- * must be connected, oriented, manifold, of genus 0 and have two boundary loops. Ports and arrays: see
- * vtkCurvatureFlowMapAlgorithm (the factors of LogScale hold to second order in the edge length on the ring; Refine is
- * for the ring only) and vtkSurfaceMapAlgorithm; also
+ * | port | what |
+ * |---|---|
+ * | input 0 | vtkPolyData, the surface: connected, oriented, manifold, genus 0, two boundary loops |
+ * | output 0 | vtkPolyData, the map: see vtkConformalFlowAlgorithm |
  *
- * | association | name | components, type | unit | meaning |
- * |---|---|---|---|---|
- * | point | OriginalPointIds (as RECTANGLE) | 1 vtkIdType | | vertex of the input |
- * | field | ConformalModulus | 1 double | | (1/2π) ln(R/r) = Height / Circumference |
- * | field | Height, Circumference | 1 double | mm | of a flat cylinder of the modulus and as large as the surface |
- * | field | InnerRadius | 1 double | | r, with R = 1 |
- * | field | Straightness | 1 double | | how far loops were from circles, in circumferences, before they were put there |
- * | field | Cut | 1 vtkIdType each | | vertices of the cut, from the outer loop to the inner one |
+ * | association | name | components, type | meaning |
+ * |---|---|---|---|
+ * | point | OriginalPointIds (as RECTANGLE) | 1 vtkIdType | point of the input |
+ * | point | LogScaleFactor | 1 double | u: image lengths are l_ij exp((u_i + u_j)/2), on the ring to second order |
+ * | field | Method | 1 string | annulus |
+ * | field | ConformalModulus | 1 double | (1/2 pi) ln(R/r) = height / circumference of the cylinder |
+ * | field | Height, Circumference | 1 double | mm, of the flat cylinder that is as large as the surface |
+ * | field | InnerRadius | 1 double | r, with R = 1 |
+ * | field | Straightness | 1 double | how far loops were from circles, in circumferences, before they were put there |
+ * | field | Pockets | 1 int | pockets of the boundary that were bulged out |
+ * | field | Cut | 1 int each | vertices of the cut, from the outer loop to the inner one |
  *
- * See nadeem2017 and springborn2008 in docs/references.bib, and docs/methods/annulus-map.md.
+ * See nadeem2017 in docs/references.bib, and docs/methods/annulus-map.md.
  *
  * @sa vtkCircleDomainMap vtkRiemannMap
  */
@@ -29,33 +32,26 @@
 #define vtkAnnulusMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkCurvatureFlowMapAlgorithm.h"
+#include "vtkConformalFlowAlgorithm.h"
 
-#include <vector> // for loops
-
-namespace authalic
-{
-struct AnnulusMapOptions;
-}
-
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkAnnulusMap : public vtkCurvatureFlowMapAlgorithm
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkAnnulusMap : public vtkConformalFlowAlgorithm
 {
 public:
   static vtkAnnulusMap* New();
-  vtkTypeMacro(vtkAnnulusMap, vtkCurvatureFlowMapAlgorithm);
+  vtkTypeMacro(vtkAnnulusMap, vtkConformalFlowAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum DomainType
   {
-    ANNULUS = 0,
+    RING = 0,
     RECTANGLE = 1
   };
 
   ///@{
-  /** The concentric ring, or the periodic rectangle. Default ANNULUS. */
-  vtkSetClampMacro(Domain, int, ANNULUS, RECTANGLE);
+  /** The concentric ring with the unit circle outside, or the periodic rectangle. Default RING. */
+  vtkSetClampMacro(Domain, int, RING, RECTANGLE);
   vtkGetMacro(Domain, int);
-  void SetDomainToAnnulus() { this->SetDomain(ANNULUS); }
+  void SetDomainToRing() { this->SetDomain(RING); }
   void SetDomainToRectangle() { this->SetDomain(RECTANGLE); }
   ///@}
 
@@ -65,18 +61,23 @@ public:
   vtkGetMacro(OuterVertex, int);
   ///@}
 
+  ///@{
+  /** Vertex of the outer loop at angle 0; -1 = the one with the smallest id. Default -1. */
+  vtkSetMacro(StartVertex, int);
+  vtkGetMacro(StartVertex, int);
+  ///@}
+
 protected:
   vtkAnnulusMap() = default;
   ~vtkAnnulusMap() override = default;
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  int Domain = ANNULUS;
+  int Domain = RING;
   int OuterVertex = -1;
+  int StartVertex = -1;
 
 private:
-  authalic::AnnulusMapOptions Options(const std::vector<std::vector<int>>& loops) const;
-
   vtkAnnulusMap(const vtkAnnulusMap&) = delete;
   void operator=(const vtkAnnulusMap&) = delete;
 };

@@ -7,10 +7,13 @@
 
 #include "AuthalicReport.h"
 #include "Conversion.h"
+#include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkAuthalicMap);
+
+static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkAuthalicMap::MEAN_VALUE);
 
 vtkAuthalicMap::vtkAuthalicMap() {
   this->SetNumberOfInputPorts(2);
@@ -44,20 +47,27 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   const authalic::AuthalicMapOptions options = this->Options();
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
-  const authalic::Points2 initial = given ? authalic::toPlanarPoints(given) : authalic::Points2();
-  const authalic::AuthalicMapResult result = authalic::authalicMap(disk, target, options, initial, execution);
+  authalic::BarycentricMapOptions start;
+  start.weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
+  start.domain = options.domain;
+  authalic::Points2 initial;  // empty: Core starts from Tutte's map
+  if (given) initial = authalic::toPlanarPoints(given);
+  else if (this->InitialMethod != TUTTE) initial = authalic::barycentricMap(disk, start, execution.part(0, 0.1)).image;
+  const authalic::AuthalicMapResult result =
+      authalic::authalicMap(disk, target, options, initial, execution.part(0.1, 1));
   const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
-  report.options.set("initial", given ? "given" : "tutte");
+  report.options.set("initial", given ? "given" : authalic::barycentricWeightsName(start.weights));
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
 }
 
 void vtkAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "InitialMethod: " << this->InitialMethod << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";

@@ -41,6 +41,22 @@ public:
   vtkTypeMacro(vtkAuthalicMap, vtkDiskMapAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum InitialMethodType
+  {
+    TUTTE = 0,
+    HARMONIC = 1,
+    MEAN_VALUE = 2
+  };
+
+  ///@{
+  /** The initial map when input port 1 is empty. Default TUTTE. */
+  vtkSetClampMacro(InitialMethod, int, TUTTE, MEAN_VALUE);
+  vtkGetMacro(InitialMethod, int);
+  void SetInitialMethodToTutte() { this->SetInitialMethod(TUTTE); }
+  void SetInitialMethodToHarmonic() { this->SetInitialMethod(HARMONIC); }
+  void SetInitialMethodToMeanValue() { this->SetInitialMethod(MEAN_VALUE); }
+  ///@}
+
   ///@{
   /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
    * as below. */
@@ -67,6 +83,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
+  int InitialMethod = TUTTE;
   double Tolerance;
   double VertexTolerance;
   int MaximumIterations;

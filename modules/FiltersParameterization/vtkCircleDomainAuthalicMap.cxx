@@ -5,13 +5,28 @@
 #include <vtkPolyData.h>
 
 #include "AuthalicReport.h"
-#include "ConformalArrays.h"
+#include "BoundaryLoops.h"
 #include "Conversion.h"
 #include "Core/base/Error.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
+
+namespace {
+
+void addCircles(const std::vector<authalic::FittedCircle>& circles, vtkPolyData* map, authalic::MapReport& report) {
+  Eigen::MatrixXd table(static_cast<Eigen::Index>(circles.size()), 3);
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    table.row(static_cast<Eigen::Index>(k)) << circles[k].centre, circles[k].radius;
+    numbers.insert(numbers.end(), {circles[k].centre[0], circles[k].centre[1], circles[k].radius});
+  }
+  authalic::addField(map, "Circles", table);
+  report.more.set("circles", authalic::Json::arrayOf(numbers));
+}
+
+}  // namespace
 
 vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
   const authalic::CircleDomainAuthalicMapOptions defaults;
@@ -38,7 +53,7 @@ authalic::CircleDomainAuthalicMapOptions vtkCircleDomainAuthalicMap::Options(
   options.solve.vertexTolerance = this->VertexTolerance;
   options.solve.maxIterations = this->MaximumIterations;
   options.concentric = this->Concentric;
-  options.outerLoop = authalic::loopThrough(this->OuterVertex, loops);
+  options.outerLoop = authalic::loopOf(loops, this->OuterVertex);
   options.holeAreas = this->HoleAreas;
   return options;
 }
@@ -56,7 +71,7 @@ void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInfor
   const authalic::Distortion distortion =
       authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
-  authalic::addCircles(result.circles, output, report);
+  addCircles(result.circles, output, report);
   authalic::addField(output, "OuterLoop", result.outerLoop);
   authalic::addField(output, "HoleAreas", result.holeAreas);
   authalic::addField(output, "HoleResidual", result.holeResidual);

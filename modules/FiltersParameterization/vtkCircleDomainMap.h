@@ -2,44 +2,39 @@
  * @class vtkCircleDomainMap
  * @brief Conformal map of a surface with several boundary loops onto the unit disk without round holes.
  *
- * CURVATURE: one flow with the curvature of circles on every loop. KOEBE: loop by loop, holes filled, a Riemann map,
- * over and over; slower, an independent check. Both agree up to a Möbius transformation as meshes get finer. What is
- * free, a Möbius transformation of the disk, is fixed by Centre and StartVertex.
+ * One flow with the curvature of circles on every loop; or Koebe's iteration, loop by loop, an independent check. Both
+ * roads agree up to a Moebius transformation as meshes get finer.
  *
- * Folded faces and non-convergence: as in vtkYamabeMap; ears on inner loops bulge into the hole (Pockets). Input 0 must
- * be connected, oriented, manifold, of genus 0 and have a boundary. Ports and arrays: see vtkCurvatureFlowMapAlgorithm
- * (LogScale and Refine for CURVATURE only) and vtkSurfaceMapAlgorithm; also
+ * | port | what |
+ * |---|---|
+ * | input 0 | vtkPolyData, the surface: connected, oriented, manifold, genus 0, one or more boundary loops |
+ * | output 0 | vtkPolyData, the map: see vtkConformalFlowAlgorithm |
  *
  * | association | name | components, type | meaning |
  * |---|---|---|---|
- * | field | Circles | 3 double each | x, y of the centre and radius of every loop, in the order of the loops' smallest ids |
- * | field | CircleRoundness | 1 double each | how far its vertices are from it, relative to the radius, pockets set aside |
+ * | point | LogScaleFactor | 1 double | u: image lengths are l_ij exp((u_i + u_j)/2) where no edge was flipped (road CURVATURE) |
+ * | field | Method | 1 string | circle-domain |
+ * | field | Circles | 3 double per loop | x, y of the centre, and the radius |
  * | field | OuterLoop | 1 int | which of them is the unit circle |
  * | field | Roundness | 1 double | how far loops were from their circles, relative, before they were put on them |
- * | field | Rounds | 1 int | KOEBE: rounds over all loops |
+ * | field | Pockets | 1 int | pockets of the boundary that were bulged into holes |
  *
- * See su2016 and koebe1910 in docs/references.bib, and docs/methods/circle-domain.md.
+ * Loops are in the order of their smallest vertex id. See su2016 and koebe1910 in docs/references.bib, and
+ * docs/methods/circle-domain.md.
  *
- * @sa vtkAnnulusMap vtkRiemannMap
+ * @sa vtkRiemannMap vtkAnnulusMap
  */
 #ifndef vtkCircleDomainMap_h
 #define vtkCircleDomainMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkCurvatureFlowMapAlgorithm.h"
+#include "vtkUnitDiskConformalAlgorithm.h"
 
-#include <vector> // for loops
-
-namespace authalic
-{
-struct CircleDomainOptions;
-}
-
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkCircleDomainMap : public vtkCurvatureFlowMapAlgorithm
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkCircleDomainMap : public vtkUnitDiskConformalAlgorithm
 {
 public:
   static vtkCircleDomainMap* New();
-  vtkTypeMacro(vtkCircleDomainMap, vtkCurvatureFlowMapAlgorithm);
+  vtkTypeMacro(vtkCircleDomainMap, vtkUnitDiskConformalAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum RoadType
@@ -47,15 +42,9 @@ public:
     CURVATURE = 0,
     KOEBE = 1
   };
-  enum CentreType
-  {
-    AREA_CENTROID = 0,
-    VERTEX = 1,
-    FACE = 2
-  };
 
   ///@{
-  /** Which way leads to round holes. Default: authalic::CircleDomainOptions, as below. */
+  /** One flow for all loops, or Koebe's iteration. Default CURVATURE. */
   vtkSetClampMacro(Road, int, CURVATURE, KOEBE);
   vtkGetMacro(Road, int);
   void SetRoadToCurvature() { this->SetRoad(CURVATURE); }
@@ -69,30 +58,15 @@ public:
   ///@}
 
   ///@{
-  /** KOEBE: stop when every loop is a circle to this, relative to its radius, > 0. */
+  /** Koebe: stop when every loop is a circle to this, relative to its radius, > 0. */
   vtkSetMacro(RoundnessTolerance, double);
   vtkGetMacro(RoundnessTolerance, double);
   ///@}
 
   ///@{
-  /** KOEBE: most rounds over all loops, 0 or more. */
+  /** Koebe: most rounds over all loops, 0 or more. */
   vtkSetClampMacro(MaximumRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumRounds, int);
-  ///@}
-
-  ///@{
-  /** What goes to the centre of the disk: the area centroid of the surface, or the vertex or face CentreId. */
-  vtkSetClampMacro(Centre, int, AREA_CENTROID, FACE);
-  vtkGetMacro(Centre, int);
-  void SetCentreToAreaCentroid() { this->SetCentre(AREA_CENTROID); }
-  void SetCentreToVertex() { this->SetCentre(VERTEX); }
-  void SetCentreToFace() { this->SetCentre(FACE); }
-  ///@}
-
-  ///@{
-  /** Inner vertex or face that goes to the centre, for VERTEX and FACE; not read else. */
-  vtkSetMacro(CentreId, int);
-  vtkGetMacro(CentreId, int);
   ///@}
 
 protected:
@@ -101,16 +75,12 @@ protected:
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  int Road;
+  int Road = CURVATURE;
   int OuterVertex = -1;
   double RoundnessTolerance;
   int MaximumRounds;
-  int Centre;
-  int CentreId;
 
 private:
-  authalic::CircleDomainOptions Options(const std::vector<std::vector<int>>& loops) const;
-
   vtkCircleDomainMap(const vtkCircleDomainMap&) = delete;
   void operator=(const vtkCircleDomainMap&) = delete;
 };

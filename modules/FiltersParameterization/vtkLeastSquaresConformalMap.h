@@ -1,33 +1,29 @@
 /**
  * @class vtkLeastSquaresConformalMap
- * @brief Maps a topological disk with a free boundary so that the conformal energy is least (LSCM).
+ * @brief Least-squares conformal map of a topological disk: free boundary, one sparse factorisation.
  *
- * Minimises E_D − A, the Dirichlet energy less the area of the image. The boundary takes the shape that distorts
- * angles least; parts of it may overlap, and faces may fold: they are counted. The image has the area of the surface
- * (mm²), its centroid at 0, and the second pin to the right of the first. Ports and arrays: see
- * vtkSurfaceMapAlgorithm; further field data:
+ * Minimises the conformal energy, the Dirichlet energy less the area of the image, with two boundary vertices held or
+ * (Spectral) the boundary's spread held. The image has the area of the surface. Faces may fold: see Flipped.
+ *
+ * | port | what |
+ * |---|---|
+ * | input 0 | vtkPolyData, the surface: connected, oriented, manifold, genus 0, one boundary loop |
+ * | output 0 | vtkPolyData, the map: see vtkSurfaceMapAlgorithm |
  *
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | field | Method | 1 string | lscm |
- * | field | Residuals | 1 double each | SPECTRAL: change of the boundary per iteration, of its mean radius |
- * | field | ConformalEnergy | 1 double | (E_D − A)/A of the image: 0 for a similarity on every face |
- * | field | FirstPin, SecondPin | 1 int | boundary vertices that were held (SPECTRAL: that fix the rotation) |
+ * | field | ConformalEnergy | 1 double | (Dirichlet energy - area) / area of the image; 0 for a similarity |
  *
  * See levy2002 and mullen2008 in docs/references.bib, and docs/methods/lscm.md.
  *
- * @sa vtkSymmetricDirichletMap vtkRiemannMap vtkBarycentricMap
+ * @sa vtkSymmetricDirichletMap vtkRiemannMap
  */
 #ifndef vtkLeastSquaresConformalMap_h
 #define vtkLeastSquaresConformalMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkSurfaceMapAlgorithm.h"
-
-namespace authalic
-{
-struct LeastSquaresConformalMapOptions;
-}
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkLeastSquaresConformalMap : public vtkSurfaceMapAlgorithm
 {
@@ -43,11 +39,7 @@ public:
   };
 
   ///@{
-  /**
-   * What keeps the map from shrinking to a point: two boundary vertices held at their distance (one linear solve), or a
-   * boundary of mean 0 and mean square 1 (an eigenproblem; no vertex is special). Default:
-   * authalic::LeastSquaresConformalMapOptions, as below.
-   */
+  /** What keeps the map from shrinking to a point. Default TWO_VERTICES. */
   vtkSetClampMacro(Pins, int, TWO_VERTICES, SPECTRAL);
   vtkGetMacro(Pins, int);
   void SetPinsToTwoVertices() { this->SetPins(TWO_VERTICES); }
@@ -55,7 +47,7 @@ public:
   ///@}
 
   ///@{
-  /** Boundary vertices; -1 (both) = the two that are farthest apart in space. SPECTRAL: they only fix the rotation. */
+  /** Boundary vertices; -1 (both): the two farthest apart in space. With SPECTRAL they fix the rotation. Default -1. */
   vtkSetMacro(FirstPin, int);
   vtkGetMacro(FirstPin, int);
   vtkSetMacro(SecondPin, int);
@@ -63,13 +55,13 @@ public:
   ///@}
 
   ///@{
-  /** SPECTRAL: change of the boundary in one iteration, of its mean radius, > 0. */
+  /** Spectral: change of the boundary in one iteration, relative, > 0. Default: of the Core options, as below. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** SPECTRAL: most iterations, 0 or more. */
+  /** Spectral: most iterations, 0 or more. */
   vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
   ///@}
@@ -80,15 +72,13 @@ protected:
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  int Pins;
-  int FirstPin;
-  int SecondPin;
+  int Pins = TWO_VERTICES;
+  int FirstPin = -1;
+  int SecondPin = -1;
   double Tolerance;
   int MaximumIterations;
 
 private:
-  authalic::LeastSquaresConformalMapOptions Options() const;
-
   vtkLeastSquaresConformalMap(const vtkLeastSquaresConformalMap&) = delete;
   void operator=(const vtkLeastSquaresConformalMap&) = delete;
 };

@@ -1,17 +1,17 @@
 #include "vtkMapDistortion.h"
 
+#include <utility>
+
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "Conversion.h"
 #include "Core/base/Error.h"
-#include "Core/distortion/Distortion.h"
+#include "Core/distortion/SphericalDistortion.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
 #include "Reports/MapReport.h"
@@ -20,17 +20,15 @@ vtkStandardNewMacro(vtkMapDistortion);
 
 namespace {
 
-void addDetails(vtkPolyData* map, const authalic::DistortionArrays& arrays) {
-  vtkNew<vtkDoubleArray> beltrami;
-  beltrami->SetName("Beltrami");
-  beltrami->SetNumberOfComponents(2);
-  beltrami->SetNumberOfTuples(arrays.beltrami.size());
-  for (Eigen::Index f = 0; f < arrays.beltrami.size(); ++f) {
-    beltrami->SetTuple2(f, arrays.beltrami[f].real(), arrays.beltrami[f].imag());
-  }
-  map->GetCellData()->AddArray(beltrami);
-  authalic::addArray(map->GetCellData(), "SigmaMax", arrays.sigmaMax);
-  authalic::addArray(map->GetCellData(), "SigmaMin", arrays.sigmaMin);
+using namespace authalic;
+
+/// Of a planar map, or of one to a sphere around 0.
+Distortion measure(vtkPolyData* map, vtkPolyData* output, const TriangleMesh& surface, const Eigen::VectorXd& target) {
+  const Points3 image = toPoints(map);
+  if (image.col(2).isZero(0)) return fillMap(map, output, surface, Points2(image.leftCols<2>()), target);
+  SphericalDistortion distortion = fillMap(map, output, surface, ontoUnitSphere(image), target);
+  setPoints(output, image);
+  return {std::move(distortion.arrays), distortion.summary};
 }
 
 }  // namespace
@@ -45,7 +43,6 @@ int vtkMapDistortion::FillInputPortInformation(int port, vtkInformation* info) {
 
 void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
                                const authalic::Execution&) {
-  using namespace authalic;
   vtkPolyData* map = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
@@ -61,8 +58,11 @@ void vtkMapDistortion::Compute(vtkInformationVector** inputs, vtkInformationVect
   if (!this->MeasureArrayName.empty()) {
     target = toVector(requireArray(map->GetCellData(), this->MeasureArrayName, 1, "measure"));
   }
-  const Distortion distortion = fillMap(map, output, surface, toPlanarPoints(map), target);
-  if (this->Details) addDetails(output, distortion.arrays);
+  const Distortion distortion = measure(map, output, surface, target);
+  if (this->Details) {
+    addArray(output->GetCellData(), "SigmaMax", distortion.arrays.sigmaMax);
+    addArray(output->GetCellData(), "SigmaMin", distortion.arrays.sigmaMin);
+  }
   this->Report = distortionReport(distortion.summary).text();
 }
 

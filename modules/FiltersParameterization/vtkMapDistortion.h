@@ -1,13 +1,13 @@
 /**
  * @class vtkMapDistortion
- * @brief How much a planar map changes areas and angles, per face, per vertex and as a whole.
+ * @brief How much a map to the plane or to a sphere changes areas and angles, per face, per vertex and as a whole.
  *
  * With both total areas normalised to 1, r = image share / target share of a face and σ1, σ2 the singular values of
  * its Jacobian: see authalic::DistortionSummary for every definition. Measured on the connectivity of the input.
  *
  * | port | what |
  * |---|---|
- * | input 0 | vtkPolyData, the map: triangles in the plane z = 0 |
+ * | input 0 | vtkPolyData, the map: triangles in the plane z = 0, or with corners on a sphere of any radius around 0 |
  * | input 1, optional | vtkPolyData, the surface (mm), same triangles in the same order; without it the map's point array `OriginalPoints` is the surface |
  * | output 0 | the map with everything it had and the arrays below |
  *
@@ -16,11 +16,12 @@
  * | cell | AreaDistortion | 1 double | log2 | log2 of r; 0 = area preserved; NaN where the target share is 0 |
  * | cell | AngleDistortion | 1 double | | σ1/σ2 + σ2/σ1; 2 = angles preserved |
  * | cell | Flipped | 1 unsigned char | | 1 where the face is folded or has no area |
- * | cell | Beltrami, with Details | 2 double | | real and imaginary part of the Beltrami coefficient |
+ * | cell | BeltramiCoefficient | 2 double | | real and imaginary part, z along the first edge of the face |
  * | cell | SigmaMax, SigmaMin, with Details | 1 double | | singular values; SigmaMin < 0 where folded |
  * | point | VertexAreaDistortion | 1 double | log2 | of one-third stars |
  * | point | OriginalPoints | 3 double | mm | the surface |
- * | field | TotalAreaDistortion … | 1 | | one number per metric of authalic::DistortionSummary |
+ * | field | TotalAreaDistortion … | 1 | | one number per metric of authalic::DistortionSummary, spreads and histograms: see vtkSurfaceMapAlgorithm |
+ * | field | Coverage, FlatAreaDistortion, SphericalAngleError, on a sphere | 1 double | –, –, degrees | see vtkSphericalConformalMap |
  *
  * @sa vtkBarycentricMap vtkDiscreteLieFlow
  */
@@ -46,7 +47,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether Beltrami, SigmaMax and SigmaMin are added. Default off. */
+  /** Whether SigmaMax and SigmaMin are added. Default off. */
   vtkSetMacro(Details, bool);
   vtkGetMacro(Details, bool);
   vtkBooleanMacro(Details, bool);

@@ -4,6 +4,7 @@
 
 #include "FieldArrays.h"
 #include "FilterGuard.h"
+#include "HistogramArrays.h"
 #include "MapArrays.h"
 #include "Reports/MapReport.h"
 
@@ -17,7 +18,9 @@ void vtkSurfaceMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport
   authalic::addField(map, "Method", report.method);
   authalic::addField(map, "Residuals", report.residuals);
   if (this->OutputMode == TEXTURE_COORDINATES) authalic::imageToTextureCoordinates(map);
-  this->Report = authalic::mapReport(report).text();
+  authalic::MapReport complete = report;
+  complete.histograms = authalic::histogramsOf(map);
+  this->Report = authalic::mapReport(complete).text();
   this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
 }
 

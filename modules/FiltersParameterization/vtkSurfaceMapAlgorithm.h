@@ -18,12 +18,16 @@
  * | point | VertexAreaDistortion | 1 double | log2 | log2 of image share / target share of one-third stars |
  * | cell | AreaDistortion | 1 double | log2 | log2 of image share / target share |
  * | cell | AngleDistortion | 1 double | | σ1/σ2 + σ2/σ1; 2 = angles preserved |
+ * | cell | BeltramiCoefficient | 2 double | | real and imaginary part of μ = f_z̄/f_z, z along the first edge of the face; modulus 0 = angles preserved, above 1 = folded |
  * | cell | Flipped | 1 unsigned char | | 1 where the face is folded or has no area in the image |
  * | field | Method | 1 string | | name of the method, as on the command line |
  * | field | Status | 1 string | | converged, not-converged, stalled, cancelled |
  * | field | Iterations | 1 int | | |
  * | field | Residuals | 1 double each | | history of what the method drives to 0 |
  * | field | TotalAreaDistortion … | 1 | | one number per metric of authalic::DistortionSummary |
+ * | field | AngleErrorStandardDeviation, QuasiConformal…, Beltrami… | 1 double | degrees, –, – | over corners, faces, faces |
+ * | field | AngleErrorPercentiles, QuasiConformal…, Beltrami… | 1 double, 7 tuples | degrees, –, – | 5, 25, 50, 75, 95, 99 %, maximum |
+ * | field | VertexAreaHistogram, FaceAreaHistogram, AngleRatioHistogram, AngleErrorHistogram, BeltramiHistogram | 3 double, a tuple per bin | | lower edge, upper edge, count: see authalic::DistortionHistograms; then the values below, above, undefined |
  */
 #ifndef vtkSurfaceMapAlgorithm_h
 #define vtkSurfaceMapAlgorithm_h
@@ -84,7 +88,7 @@ public:
 
   /**
    * What the last execution did, as JSON: status, iterations, residual history, seconds per stage, metrics, flips,
-   * topology, options, version. Empty before it and after an error.
+   * histograms of both distortions, topology, options, version. Empty before it and after an error.
    */
   vtkGetMacro(Report, std::string);
 

@@ -8,7 +8,6 @@
 #include "Conversion.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/initial/SymmetricDirichletMap.h"
-#include "Core/mesh/DiskMesh.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
 #include "Reports/MapReport.h"
@@ -16,13 +15,10 @@
 vtkStandardNewMacro(vtkSymmetricDirichletMap);
 
 static_assert(static_cast<int>(authalic::IsometricBoundary::Fixed) == vtkSymmetricDirichletMap::FIXED);
-static_assert(static_cast<int>(authalic::BarycentricWeights::Harmonic) == vtkSymmetricDirichletMap::HARMONIC);
-static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkSymmetricDirichletMap::MEAN_VALUE);
 
 vtkSymmetricDirichletMap::vtkSymmetricDirichletMap() {
   this->SetNumberOfInputPorts(2);
   const authalic::SymmetricDirichletMapOptions defaults;
-  this->Boundary = static_cast<int>(defaults.boundary);
   this->Tolerance = defaults.tolerance;
   this->MaximumIterations = defaults.maxIterations;
 }
@@ -33,54 +29,40 @@ int vtkSymmetricDirichletMap::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
-authalic::SymmetricDirichletMapOptions vtkSymmetricDirichletMap::Options() const {
-  authalic::SymmetricDirichletMapOptions options;
-  options.boundary = static_cast<authalic::IsometricBoundary>(this->Boundary);
-  options.tolerance = this->Tolerance;
-  options.maxIterations = this->MaximumIterations;
-  options.validate();
-  return options;
-}
-
-authalic::BarycentricMapResult vtkSymmetricDirichletMap::Start(const authalic::DiskMesh& disk,
-                                                               const authalic::Execution& execution) const {
-  authalic::BarycentricMapOptions options;
-  options.weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
-  options.domain = this->MakeDomain();
-  return authalic::barycentricMap(disk, options, execution);
-}
-
 void vtkSymmetricDirichletMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
                                        const authalic::Execution& execution) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const authalic::SymmetricDirichletMapOptions options = this->Options();
+  authalic::SymmetricDirichletMapOptions options;
+  options.boundary = static_cast<authalic::IsometricBoundary>(this->Boundary);
+  options.tolerance = this->Tolerance;
+  options.maxIterations = this->MaximumIterations;
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
-  authalic::BarycentricMapResult start;
-  if (given) start.image = authalic::toPlanarPoints(given);
-  else start = this->Start(disk, execution.part(0.0, 0.1));
-  const authalic::SymmetricDirichletMapResult map =
-      authalic::symmetricDirichletMap(disk, start.image, options, execution.part(0.1, 1.0));
+  authalic::BarycentricMapOptions start;
+  start.weights = this->InitialMethod == TUTTE ? authalic::BarycentricWeights::Uniform
+                                               : authalic::BarycentricWeights::MeanValue;
+  const authalic::Points2 initial = given ? authalic::toPlanarPoints(given)
+                                          : authalic::barycentricMap(disk, start, execution.part(0, 0.1)).image;
+  const authalic::SymmetricDirichletMapResult result =
+      authalic::symmetricDirichletMap(disk, initial, options, execution.part(0.1, 1));
   authalic::MapReport report;
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces()).summary;
+  authalic::addField(output, "Energy", result.energy);
   report.method = "slim";
-  report.status = map.status;
-  report.iterations = map.iterations;
-  for (const authalic::SymmetricDirichletIteration& step : map.history) report.residuals.push_back(step.decrement);
-  report.seconds = {{"initial", start.seconds}, {"descent", map.seconds}};
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), map.image, target.faces()).summary;
+  report.status = result.status;
+  report.iterations = result.iterations;
+  for (const authalic::SymmetricDirichletIteration& step : result.history) report.residuals.push_back(step.decrement);
+  report.residuals.push_back(result.residual);
+  report.seconds = {{"map", result.seconds}};
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
-  if (given) report.options.set("measure", this->MeasureArrayName);
-  else report.options = this->DescribeOptions();
-  report.options.set("boundary", authalic::isometricBoundaryName(options.boundary));
-  const auto weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
-  report.options.set("initial", given ? "given" : authalic::barycentricWeightsName(weights));
-  report.options.set("tolerance", this->Tolerance);
-  report.options.set("max_iterations", this->MaximumIterations);
-  report.more.set("isometric_energy", map.energy);
-  report.more.set("residual", map.residual);
-  authalic::addField(output, "IsometricEnergy", map.energy);
+  report.options.set("domain", this->Boundary == FREE ? "free" : "disk")
+      .set("measure", this->MeasureArrayName)
+      .set("initial", given ? "given" : authalic::barycentricWeightsName(start.weights))
+      .set("tolerance", options.tolerance)
+      .set("max_iterations", options.maxIterations);
+  report.more.set("energy", result.energy);
   this->Publish(output, report);
 }
 

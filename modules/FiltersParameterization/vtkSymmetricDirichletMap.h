@@ -1,48 +1,36 @@
 /**
  * @class vtkSymmetricDirichletMap
- * @brief Locally injective map of a topological disk that is as isometric as it can be (the energy of SLIM).
+ * @brief Locally injective map of a topological disk that is as isometric as it can be.
  *
- * Minimises the symmetric Dirichlet energy Σ ρ (σ1² + σ1⁻² + σ2² + σ2⁻²), 4 for an isometry, from a start without
- * folded faces: a barycentric map to Domain, or a given map. No face of the image is folded; distant parts of a free
- * boundary may overlap. FREE: the image is in mm, its centroid at 0, the two boundary vertices that are farthest
- * apart along x. FIXED: the boundary stays where the start has it, on that of Domain or of the given map. Where the
- * tolerance is not reached the best map comes with Status not-converged or stalled, a warning, and ErrorKind
- * NOT_CONVERGED.
+ * Minimises the symmetric Dirichlet energy, that of scalable locally injective mappings (SLIM), by projected Newton
+ * steps from an unfolded map of the disk; no face of the image is ever folded.
  *
  * | port | what |
  * |---|---|
- * | input 0 | vtkPolyData, the surface: see vtkDiskMapAlgorithm |
- * | input 1, optional | vtkPolyData, an initial map in the plane without folded faces: same vertices in the same order; Domain and InitialMethod are not read then |
+ * | input 0 | vtkPolyData, the surface: connected, oriented, manifold, genus 0, one boundary loop |
+ * | input 1, optional | vtkPolyData, an unfolded planar map to start from: same vertices in the same order |
  * | output 0 | vtkPolyData, the map: see vtkSurfaceMapAlgorithm |
  *
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | field | Method | 1 string | slim |
- * | field | Residuals | 1 double each | Newton decrement √(gᵀH⁻¹g / E) per iteration |
- * | field | IsometricEnergy | 1 double | E of the image |
+ * | field | Energy | 1 double | symmetric Dirichlet energy at the image's own scale; 4 for an isometry |
  *
  * See rabinovich2017 and smith2019 in docs/references.bib, and docs/methods/slim.md.
  *
- * @sa vtkLeastSquaresConformalMap vtkBarycentricMap
+ * @sa vtkLeastSquaresConformalMap vtkAuthalicMap
  */
 #ifndef vtkSymmetricDirichletMap_h
 #define vtkSymmetricDirichletMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkDiskMapAlgorithm.h"
+#include "vtkSurfaceMapAlgorithm.h"
 
-namespace authalic
-{
-struct BarycentricMapResult;
-class DiskMesh;
-struct SymmetricDirichletMapOptions;
-}
-
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkSymmetricDirichletMap : public vtkDiskMapAlgorithm
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkSymmetricDirichletMap : public vtkSurfaceMapAlgorithm
 {
 public:
   static vtkSymmetricDirichletMap* New();
-  vtkTypeMacro(vtkSymmetricDirichletMap, vtkDiskMapAlgorithm);
+  vtkTypeMacro(vtkSymmetricDirichletMap, vtkSurfaceMapAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum BoundaryType
@@ -53,12 +41,11 @@ public:
   enum InitialMethodType
   {
     TUTTE = 0,
-    HARMONIC = 1,
-    MEAN_VALUE = 2
+    MEAN_VALUE = 1
   };
 
   ///@{
-  /** What the boundary may do. Default: authalic::SymmetricDirichletMapOptions, as below. */
+  /** Whether the boundary moves with the rest, or stays where the start has it. Default FREE. */
   vtkSetClampMacro(Boundary, int, FREE, FIXED);
   vtkGetMacro(Boundary, int);
   void SetBoundaryToFree() { this->SetBoundary(FREE); }
@@ -66,16 +53,15 @@ public:
   ///@}
 
   ///@{
-  /** The start when input port 1 is empty. HARMONIC may fold and is then refused. Default TUTTE. */
+  /** The map to the unit disk from which it starts when input port 1 is empty. Default TUTTE. */
   vtkSetClampMacro(InitialMethod, int, TUTTE, MEAN_VALUE);
   vtkGetMacro(InitialMethod, int);
   void SetInitialMethodToTutte() { this->SetInitialMethod(TUTTE); }
-  void SetInitialMethodToHarmonic() { this->SetInitialMethod(HARMONIC); }
   void SetInitialMethodToMeanValue() { this->SetInitialMethod(MEAN_VALUE); }
   ///@}
 
   ///@{
-  /** Of the Newton decrement √(gᵀH⁻¹g / E), > 0. */
+  /** Of the Newton decrement relative to the energy, > 0. Default: of the Core options, as below. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -93,15 +79,12 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  int Boundary;
+  int Boundary = FREE;
   int InitialMethod = TUTTE;
   double Tolerance;
   int MaximumIterations;
 
 private:
-  authalic::SymmetricDirichletMapOptions Options() const;
-  authalic::BarycentricMapResult Start(const authalic::DiskMesh& disk, const authalic::Execution& execution) const;
-
   vtkSymmetricDirichletMap(const vtkSymmetricDirichletMap&) = delete;
   void operator=(const vtkSymmetricDirichletMap&) = delete;
 };

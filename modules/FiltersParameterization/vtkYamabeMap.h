@@ -1,48 +1,60 @@
 /**
  * @class vtkYamabeMap
- * @brief Conformal map of a topological disk to a disk, or to the planar domain whose boundary turns as prescribed.
+ * @brief Conformal map of a topological disk to the plane with a prescribed curvature of its boundary.
  *
- * Looks for the scale factors u for which the lengths l_ij e^{(u_i + u_j)/2} are flat inside and the boundary has the
- * curvature of a circle, or that of CurvatureArrayName; the flat metric is developed into the plane. The image has
- * the area of the surface (mm²), its area centroid at 0, and the start vertex on the positive x axis. With prescribed
- * curvature the image may overlap itself: curvature says how the boundary turns, not where it goes. A vertex turns by
- * its K̄: corners of a rectangle by π/2, straight sides by 0; over the boundary the sum is 2π.
+ * Finds the flat metric in the discrete conformal class of the surface whose boundary turns as asked, by the dynamic
+ * Yamabe flow with Newton's method, and lays it out. Without CurvatureArrayName the boundary becomes a circle.
  *
- * The map is one-to-one on the flow's own Delaunay triangulation. Faces of the input whose edges were flipped away
- * may fold: they are counted, unfolded, and on output 1, on request, cut along the edges of that triangulation.
+ * | port | what |
+ * |---|---|
+ * | input 0 | vtkPolyData, the surface: connected, oriented, manifold, genus 0, one boundary loop |
+ * | output 0 | vtkPolyData, the map, as large in area as the surface: see vtkConformalFlowAlgorithm |
  *
- * Where the flow does not reach the tolerance the image comes with Status stalled or not-converged, a warning, and
- * ErrorKind NOT_CONVERGED. Ports and arrays: see vtkCurvatureFlowMapAlgorithm and vtkSurfaceMapAlgorithm; also
+ * | association | name | components, type | meaning |
+ * |---|---|---|---|
+ * | point | LogScaleFactor | 1 double | u: lengths of the image's metric are l_ij exp((u_i + u_j)/2) |
+ * | point | Curvature | 1 double | K reached, radians |
+ * | field | Method | 1 string | yamabe |
  *
- * | association | name | components, type | unit | meaning |
- * |---|---|---|---|---|
- * | point | Curvature | 1 double | radians | K reached |
- * | field | AddedVertices | 1 int | | vertices by which the flow split boundary edges; not part of the image |
+ * See su2016 and springborn2008 in docs/references.bib, and docs/methods/yamabe-flow.md.
  *
- * See luo2004, springborn2008, gu2018 and su2016 in docs/references.bib, and docs/methods/yamabe-flow.md.
- *
- * @sa vtkRiemannMap vtkLeastSquaresConformalMap
+ * @sa vtkRiemannMap vtkCircleDomainMap
  */
 #ifndef vtkYamabeMap_h
 #define vtkYamabeMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkCurvatureFlowMapAlgorithm.h"
+#include "vtkConformalFlowAlgorithm.h"
 
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkYamabeMap : public vtkCurvatureFlowMapAlgorithm
+#include <string> // for CurvatureArrayName
+
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkYamabeMap : public vtkConformalFlowAlgorithm
 {
 public:
   static vtkYamabeMap* New();
-  vtkTypeMacro(vtkYamabeMap, vtkCurvatureFlowMapAlgorithm);
+  vtkTypeMacro(vtkYamabeMap, vtkConformalFlowAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * Point array with the target curvature, radians: 0 at inner vertices, less than π on the boundary, 2π in all.
-   * Empty = the boundary becomes a circle. Default empty.
+   * Point array of target curvatures: 0 at inner vertices, turning angles (radians) along the boundary that sum to
+   * 2 pi. Empty: a circle. Default empty.
    */
   vtkSetMacro(CurvatureArrayName, std::string);
   vtkGetMacro(CurvatureArrayName, std::string);
+  ///@}
+
+  ///@{
+  /** Boundary vertex on the positive x axis; -1 = the one with the smallest id. Default -1. */
+  vtkSetMacro(StartVertex, int);
+  vtkGetMacro(StartVertex, int);
+  ///@}
+
+  ///@{
+  /** As vtkUnitDiskConformalAlgorithm::Refine. Default off. */
+  vtkSetMacro(Refine, bool);
+  vtkGetMacro(Refine, bool);
+  vtkBooleanMacro(Refine, bool);
   ///@}
 
 protected:
@@ -52,6 +64,8 @@ protected:
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
   std::string CurvatureArrayName;
+  int StartVertex = -1;
+  bool Refine = false;
 
 private:
   vtkYamabeMap(const vtkYamabeMap&) = delete;

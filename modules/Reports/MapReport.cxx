@@ -55,6 +55,15 @@ Json histogramJson(const Histogram& histogram) {
       .set("undefined", histogram.undefined);
 }
 
+/// name_sd, name_p5 … name_p99, name_max.
+void setSpread(Json& report, const std::string& name, const std::string& unit, const Spread& spread) {
+  report.set(name + "_sd" + unit, spread.standardDeviation);
+  for (std::size_t k = 0; k < kPercentiles.size(); ++k) {
+    const std::string which = kPercentiles[k] == 100 ? "max" : "p" + std::to_string(kPercentiles[k]);
+    report.set(name + "_" + which + unit, spread.percentiles[k]);
+  }
+}
+
 Json secondsJson(const std::vector<std::pair<std::string, double>>& seconds) {
   Json stages = Json::object();
   double total = 0.0;
@@ -68,7 +77,8 @@ Json secondsJson(const std::vector<std::pair<std::string, double>>& seconds) {
 }  // namespace
 
 Json distortionReport(const DistortionSummary& summary) {
-  return Json::object()
+  Json report = Json::object();
+  report
       .set("area_distortion", summary.areaDistortion)
       .set("angle_distortion", summary.angleDistortion)
       .set("symmetric_dirichlet", summary.symmetricDirichlet)
@@ -81,8 +91,11 @@ Json distortionReport(const DistortionSummary& summary) {
       .set("vertex_log_area_ratio_max_abs", summary.vertexMaxAbsLog)
       .set("angle_error_mean_degrees", summary.meanAngleError)
       .set("quasi_conformal_mean", summary.meanQuasiConformal)
-      .set("beltrami_mean", summary.meanBeltrami)
-      .set("flipped_faces", summary.flippedFaces)
+      .set("beltrami_mean", summary.meanBeltrami);
+  setSpread(report, "angle_error", "_degrees", summary.angleError);
+  setSpread(report, "quasi_conformal", "", summary.quasiConformal);
+  setSpread(report, "beltrami", "", summary.beltrami);
+  return report.set("flipped_faces", summary.flippedFaces)
       .set("degenerate_faces", summary.degenerateFaces)
       .set("finite", summary.finite);
 }

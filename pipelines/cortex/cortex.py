@@ -6,7 +6,7 @@
 Copy this file and change it: it is one VTK pipeline per hemisphere,
 
     vtkVolumeFileReader -> vtkCorticalSurface -> SulcalDepth -> vtkSampleVolumeOnSurface -> vtkLabelsOnSurface
-        -> vtkCutToDisk -> vtkBarycentricMap -> vtkDiscreteLieFlow -> UprightMap -> vtkElementGrid
+        -> vtkCutToDisk -> vtkBarycentricMap, vtkAuthalicMap -> UprightMap -> vtkElementGrid
         -> vtkElementStatistics
 
 Every filter is an ordinary VTK filter; the files beside this one draw pictures and write reports.
@@ -128,16 +128,15 @@ def process(side, source, volumes, names, options, stages):
     tutte = authalic.vtkBarycentricMap()
     tutte.SetInputConnection(cut.GetOutputPort())
     tutte.SetMethodToTutte()
-    flow = authalic.vtkDiscreteLieFlow()
-    flow.SetInputConnection(0, cut.GetOutputPort())
-    flow.SetInputConnection(1, tutte.GetOutputPort())
+    exact = authalic.vtkAuthalicMap()
+    exact.SetInputConnection(cut.GetOutputPort())
 
     hemisphere = Hemisphere(side, arrays.field_numbers(run("topology", topology)), fields)
     run("sulcal depth", depth)
     hemisphere.white = run("sampling the volume", sampled)
     hemisphere.regions = hemisphere.names_present(names)
     hemisphere.cut = arrays.field_numbers(run("cut to a disk", cut))
-    for name, method in ((INITIAL, tutte), (AUTHALIC, flow)):
+    for name, method in ((INITIAL, tutte), (AUTHALIC, exact)):
         run(name, method)
         upright = steps.UprightMap()
         upright.SetInputConnection(method.GetOutputPort())

@@ -48,8 +48,9 @@ ROWS = [
     ("whole elements: mean deviation from equal area in %, initial map", _map(INITIAL, "InteriorMeanDeviation", 100)),
     ("whole elements: mean deviation from equal area in %, area-preserving map",
      _map(AUTHALIC, "InteriorMeanDeviation", 100)),
-    ("flow: status", _map(AUTHALIC, "Status")),
-    ("flow: iterations", _map(AUTHALIC, "Iterations")),
+    ("solve: status", _map(AUTHALIC, "Status")),
+    ("solve: steps", _map(AUTHALIC, "Iterations")),
+    ("solve: largest |ln| of a vertex's share over its target", _map(AUTHALIC, "VertexResidual")),
 ]
 
 

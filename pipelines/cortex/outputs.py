@@ -17,8 +17,8 @@ import report
 from hemisphere import AUTHALIC, INITIAL, SIDES
 from stages import StageError
 
-LEAD = ("Each hemisphere's white surface was opened at the medial wall, mapped to a disk and then moved until every "
-        "patch has its share of area. Equal squares on that disk are elements of equal cortical area.")
+LEAD = ("Each hemisphere's white surface was opened at the medial wall, mapped to a disk so that every vertex "
+        "has exactly its share of area. Equal squares on that disk are elements of equal cortical area.")
 
 
 def write(results, options, stages, can_draw):

@@ -100,11 +100,11 @@ def read_back():
 
 
 disk = surfaces.disk(options)
-flow = authalic.vtkDiscreteLieFlow()
-flow.SetInputData(disk.to_vtk())
-flow.SetOutputModeToTextureCoordinates()
-flow.Update()
-surface, board = flow.GetOutput(), checkerboard(options.squares)
+exact = authalic.vtkAuthalicMap()
+exact.SetInputData(disk.to_vtk())
+exact.SetOutputModeToTextureCoordinates()
+exact.Update()
+surface, board = exact.GetOutput(), checkerboard(options.squares)
 write_obj(surface, board)
 write_gltf(textured(surface, board))
 

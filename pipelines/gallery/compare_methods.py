@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Methods compared on one surface: what happens to areas, what to angles, and how long it takes.
 
-    compare_methods.py --surface lh.pial --region lh.cortex.label --keep --methods mean-value lie-flow
+    compare_methods.py --surface lh.pial --region lh.cortex.label --keep --methods mean-value authalic
 
 Leaves methods.tsv and methods.png (the first two methods).
 """
@@ -19,7 +19,7 @@ parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.R
 surfaces.add_options(parser)
 parser.add_argument("--methods",
                     nargs="+",
-                    default=["mean-value", "lie-flow"],
+                    default=["mean-value", "authalic"],
                     help=f"of {', '.join(authalic.methods())}")
 options = parser.parse_args()
 

@@ -8,6 +8,7 @@ import numpy as np
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "cortex"))
 # pylint: disable=wrong-import-position
 import colours  # noqa: E402
+import histograms  # noqa: E402
 import render  # noqa: E402
 import scenes  # noqa: E402
 
@@ -31,7 +32,8 @@ def look(points, direction=None):
         return render.View(centre, (0, 0, -1), (0, 1, 0), 1.08 * (high - low))
     reach = 1.06 * np.linalg.norm(points - centre, axis=1).max() * 2
     up = (0, 1, 0) if abs(direction[2]) > 0.9 else (0, 0, 1)
-    return render.View(centre, direction, up, (reach, 0.75 * reach))
+    height = max(0.75 * reach, 1.06 * np.ptp(points @ np.array(up)))
+    return render.View(centre, direction, up, (reach, height))
 
 
 def by_place(image):
@@ -62,6 +64,17 @@ class Gallery:
         """Anything that VTK draws, seen as `points` are."""
         self.panels.append((caption, prop, look(points, direction), table))
 
+    def add_chart(self, maps, histogram, ticks, title, unit, bins=1):
+        """Outlines of a histogram of each of two maps, {name: SurfaceMap}, as their reports hold it, `bins` of its bins
+        taken together; the range is that of the ticks."""
+        series = []
+        for (name, found), colour in zip(maps.items(), (histograms.BEFORE, histograms.AFTER)):
+            counted = found.report["histograms"][histogram]
+            edges = np.array(counted["edges"])
+            series.append((name, np.repeat((edges[1:] + edges[:-1]) / 2, counted["counts"]), colour))
+        chart = histograms.histogram_actor(series, None, ticks, bins * (edges[1] - edges[0]), title, unit, "share in %")
+        self.panels.append((None, chart, None, None))
+
     def save(self, path):
         with render.Display() as display:
             if not display.available:
@@ -69,6 +82,10 @@ class Gallery:
                 return
             share, panels = 1 / len(self.panels), []
             for k, (caption, prop, view, table) in enumerate(self.panels):
+                if view is None:
+                    panels.append(render.Panel([], (k * share, 0, (k + 1) * share, 1), None))
+                    panels.append(render.Panel([prop], (k * share, 0, (k + 1) * share, 0.97), None))
+                    continue
                 words = [scenes.caption(caption, y=0.93, size=17)]
                 if table is not None:
                     words.append(scenes.colour_bar(table, (0.2, 0.03), (0.6, 0.07)))

@@ -5,7 +5,7 @@
 Copy this file and change it: it is one ParaView pipeline,
 
     SurfaceFileReader -> CutToDisk -> BarycentricMap (mean value), and
-                                   -> DiscreteLieFlow (area-preserving) -> ElementGrid
+                                   -> AuthalicMap (area-preserving) -> ElementGrid
 
 and every proxy of it is also in the menu Filters > Authalic. Without --surface it takes the left hemisphere that
 pipelines/cortex/run.sh left in out/cortex, else it extracts one from the 1 mm T1 of Debian's mricron-data.
@@ -90,7 +90,7 @@ def main():
     RenameSource("Disk", disk)
     results(disk)
     angles = BarycentricMap(registrationName="MeanValueMap", Input=disk)
-    areas = DiscreteLieFlow(registrationName="AreaPreservingMap", Input=disk)
+    areas = AuthalicMap(registrationName="AreaPreservingMap", Input=disk)
     for map_ in (angles, areas):
         results(map_)
         print(f"{scene.TITLES[map_ is areas]}: {describe(map_)}", flush=True)

@@ -10,6 +10,8 @@
 namespace authalic::cli {
 namespace {
 
+const std::vector<std::string> initials = {"tutte", "harmonic", "mean-value"};
+
 class AuthalicFamily : public MapFamily {
  public:
   std::vector<std::string> methods() const override { return {"authalic"}; }
@@ -19,18 +21,16 @@ class AuthalicFamily : public MapFamily {
            "without a fold; a "
            "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to "
            "--domain sphere, a torus to --domain torus (flat, cut open, with OriginalPointIds), a "
-           "surface with holes to --domain circle-domain (unit disk without round holes) or annulus (one hole, in the "
-           "middle).";
+           "surface with holes to --domain circle-domain (unit disk without round holes) or annulus (one hole, in "
+           "the middle).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
     return {
-        {"--initial", "a MAP.vtp to the same disk, polygon or sphere (default: Tutte's)"},
+        {"--initial",
+         oneOf(initials) + " for a disk, or a MAP.vtp to the same disk, polygon or sphere (default: tutte)"},
         {"--tolerance",
          "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
-        {"--outer-vertex",
-         "of circle-domain and annulus, a vertex of the loop that becomes the unit circle, from 0; "
-         "-1 is the longest loop (default: -1)"},
         {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
   }
 
@@ -39,16 +39,16 @@ class AuthalicFamily : public MapFamily {
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
     own(verb->add_option(
             "--hole-areas", holeAreas_,
-            "Of circle-domain and annulus: area of every hole but the outer loop, mm^2, > 0, in the order of "
-            "the loops' smallest vertex ids; by default, of the cones that close them."))
+            "--domain circle-domain and annulus: area of every hole but the longest loop, mm^2, > 0, in the "
+            "order of the loops' smallest vertex ids; by default, of the cones that close them."))
         ->type_name("AREA...");
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
-    if (!holeAreas_.empty() || shared.outerVertex) {
-      throw Failure(UsageProblem, "--hole-areas and --outer-vertex need --domain circle-domain or annulus.");
+    if (!holeAreas_.empty()) {
+      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
     }
     if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalAuthalicMap>::New(), shared, session);
     if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
@@ -61,7 +61,6 @@ class AuthalicFamily : public MapFamily {
   vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
     const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
     map->SetConcentric(shared.domain == "annulus");
-    if (shared.outerVertex) map->SetOuterVertex(*shared.outerVertex);
     for (const double area : holeAreas_) map->AddHoleArea(area);
     return configured(map, shared, session);
   }
@@ -72,12 +71,14 @@ class AuthalicFamily : public MapFamily {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
-    if (shared.initial) {
-      if (map->GetNumberOfInputPorts() < 2) {
-        throw Failure(UsageProblem,
-                      "--initial is not for --domain " + *shared.domain + "; the start is found with it.");
-      }
+    if (!shared.initial) return map;
+    if (isFile(*shared.initial) && map->GetNumberOfInputPorts() > 1) {
       map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    } else if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) {
+      disk->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    } else {
+      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain " + *shared.domain +
+                                      "; leave it out, the start is found by the method.");
     }
     return map;
   }

@@ -3,10 +3,7 @@
 #include <sstream>
 #include <utility>
 
-#include <vtkCurvatureFlowMapAlgorithm.h>
 #include <vtkDiskMapAlgorithm.h>
-#include <vtkNew.h>
-#include <vtkYamabeMap.h>
 
 namespace authalic::cli {
 namespace {
@@ -56,57 +53,6 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
   }
   throw Failure(UsageProblem,
                 "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
-}
-
-namespace {
-
-const std::vector<std::string> metrics = {"vertex-scaling", "circle-packing"};
-const std::vector<std::string> radii = {"tangent", "circumradius"};
-
-}  // namespace
-
-std::map<std::string, std::string> flowOptions() {
-  const vtkNew<vtkYamabeMap> defaults;
-  return {{"--tolerance", "largest |K - target|, radians (default: " + shown(defaults->GetTolerance()) + ")"},
-          {"--max-iterations", "Newton steps (default: " + std::to_string(defaults->GetMaximumIterations()) + ")"},
-          {"--metric", "how lengths follow the scale factors, " + oneOf(metrics) + " (default: " +
-                           metrics[static_cast<std::size_t>(defaults->GetMetric())] + ")"},
-          {"--radii", "of --metric circle-packing, " + oneOf(radii) + " (default: " +
-                          radii[static_cast<std::size_t>(defaults->GetRadii())] + ")"},
-          {"--start-vertex", "boundary vertex on the positive x axis, from 0; -1 is the smallest (default: " +
-                                 std::to_string(defaults->GetStartVertex()) + ")"},
-          {"--no-unfold", "leave folded faces as the conformal map has them"},
-          {"--refinement", "also write the common refinement of the input and the flow's triangulation, on which "
-                           "nothing folds"}};
-}
-
-void setFlowOptions(vtkCurvatureFlowMapAlgorithm* filter, const SharedMapOptions& shared) {
-  if (shared.metric) filter->SetMetric(choice("--metric", *shared.metric, metrics));
-  if (shared.radii && filter->GetMetric() != vtkCurvatureFlowMapAlgorithm::CIRCLE_PACKING) {
-    throw Failure(UsageProblem, "--radii needs --metric circle-packing; the other metric has no circles.");
-  }
-  if (shared.radii) filter->SetRadii(choice("--radii", *shared.radii, radii));
-  if (shared.tolerance) filter->SetTolerance(*shared.tolerance);
-  if (shared.maxIterations) filter->SetMaximumIterations(*shared.maxIterations);
-  if (shared.startVertex) filter->SetStartVertex(*shared.startVertex);
-  filter->SetUnfold(!shared.noUnfold);
-  filter->SetRefine(!shared.refinement.empty());
-}
-
-std::string diskCentreMeaning() {
-  return "what goes to the centre of the disk, area-centroid, vertex:V or face:F, from 0 (default: area-centroid)";
-}
-
-std::pair<int, int> diskCentre(const std::string& text) {
-  if (text == "area-centroid") return {0, -1};
-  const std::size_t colon = text.find(':');
-  const std::string what = text.substr(0, colon);
-  int id = 0;
-  if (colon == std::string::npos || (what != "vertex" && what != "face") ||
-      !CLI::detail::lexical_cast(text.substr(colon + 1), id)) {
-    throw Failure(UsageProblem, "--centre must be area-centroid, vertex:V or face:F; it is '" + text + "'.");
-  }
-  return {what == "face" ? 2 : 1, id};
 }
 
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }

@@ -14,19 +14,16 @@
 
 #include "Files.h"
 
-class vtkCurvatureFlowMapAlgorithm;
 class vtkDiskMapAlgorithm;
-class vtkPolyData;
 
 namespace authalic::cli {
 
 /// Options that several families know.
 struct SharedMapOptions {
-  std::optional<std::string> domain, initial, metric, radii, road, centre;
+  std::optional<std::string> domain, initial;
   std::optional<double> tolerance;
-  std::optional<int> maxIterations, startVertex, outerVertex;
+  std::optional<int> maxIterations;
   bool noUnfold = false;
-  std::string refinement;  ///< file; empty when it was not asked for
   SpaceOption space;
 };
 
@@ -39,8 +36,8 @@ class MapFamily {
   [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
   /// What they do, for which surfaces, to which domains: a paragraph of the help page.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What those of "--initial", "--tolerance", "--max-iterations", "--metric" … that the methods take mean to them,
-  /// with the default.
+  /// What those of "--initial", "--tolerance", "--max-iterations" and "--no-unfold" that the methods take mean to
+  /// them, with the default.
   [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
   /// Declare the family's own options through own().
   virtual void declare(CLI::App*) {}
@@ -49,10 +46,6 @@ class MapFamily {
   [[nodiscard]] virtual vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method,
                                                                        const SharedMapOptions& shared,
                                                                        const Session& session) const = 0;
-
-  /// Adds the arrays that the filter needs besides the measure to its surface.
-  /// @throws Failure when one is not there
-  virtual void addArrays(vtkSurfaceMapAlgorithm*, vtkSmartPointer<vtkPolyData>&, const Session&) const {}
 
   /// Options declared by this family, whether given or not.
   [[nodiscard]] const std::vector<CLI::Option*>& ownOptions() const noexcept { return own_; }
@@ -67,13 +60,12 @@ class MapFamily {
 
 [[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> lieAdvectionFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> authalicFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> leastSquaresFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> isometricFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> yamabeFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> riemannFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> annulusFamily();
-[[nodiscard]] std::unique_ptr<MapFamily> circleDomainFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> conformalFlowFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> leastSquaresConformalFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> symmetricDirichletFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> sphereFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
@@ -82,20 +74,6 @@ class MapFamily {
 /// none.
 /// @throws Failure
 void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>& text);
-
-/// What the shared options mean to the maps by curvature flow.
-[[nodiscard]] std::map<std::string, std::string> flowOptions();
-
-/// Sets metric, radii, tolerance, steps, start vertex, unfolding and refinement of a map by curvature flow.
-/// @throws Failure
-void setFlowOptions(vtkCurvatureFlowMapAlgorithm* filter, const SharedMapOptions& shared);
-
-/// What --centre means.
-[[nodiscard]] std::string diskCentreMeaning();
-
-/// Kind and id of what --centre brings to the centre of a disk: 0 the area centroid, 1 a vertex, 2 a face.
-/// @throws Failure
-[[nodiscard]] std::pair<int, int> diskCentre(const std::string& text);
 
 /// A number as the help page shows it.
 [[nodiscard]] std::string shown(double value);

@@ -12,14 +12,13 @@ namespace {
 std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   std::vector<std::unique_ptr<MapFamily>> families;
   families.push_back(barycentricFamily());
-  families.push_back(leastSquaresFamily());
-  families.push_back(isometricFamily());
-  families.push_back(yamabeFamily());
-  families.push_back(riemannFamily());
-  families.push_back(annulusFamily());
-  families.push_back(circleDomainFamily());
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
+  families.push_back(lieAdvectionFamily());
+  families.push_back(conformalFlowFamily());
+  families.push_back(leastSquaresConformalFamily());
+  families.push_back(symmetricDirichletFamily());
+  families.push_back(sphereFamily());
   return families;
 }
 
@@ -50,23 +49,20 @@ VerbHelp mapHelp(const MapOptions& o) {
       "\n\nauthalic info says what the topology of SURFACE is, authalic cut makes a disk of a closed cortex.\n\n"
       "MAP.vtp holds the image (z = 0 in the plane, double precision) with vertices and faces in the order of "
       "the input, the point array OriginalPoints, the cell arrays AreaDistortion (log2 of image share / target "
-      "share), AngleDistortion and Flipped, and every metric in its field data.";
+      "share), AngleDistortion, BeltramiCoefficient and Flipped, and every metric and the histograms of both "
+      "distortions in its field data.";
   help.examples = {
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --report lh.map.json\n"
       "  area-preserving map to the unit disk",
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
-      "authalic map riemann lh.disk.vtp -o lh.map.vtp --centre face:1234\n"
-      "  conformal map to the unit disk, a face at the centre",
-      "authalic map annulus colon.vtp -o colon.map.vtp --domain rectangle\n"
-      "  conformal map of a tube, cut open and laid flat",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
-      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file"};
+      "  share of every face in proportion to its native area times the mean of its corners' numbers in the file",
+      "authalic map sphere lh.pial -o lh.sphere.vtp --report lh.sphere.json\n"
+      "  conformal map of a closed surface to the unit sphere"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
-                     "Su et al. 2016, a unified framework of discrete Ricci flow; Luo 2004; Springborn et al. 2008",
-                     "Nadeem et al. 2017, spherical parameterization balancing angle and area distortions",
-                     "Levy et al. 2002; Mullen et al. 2008; Rabinovich et al. 2017; Smith et al. 2019",
-                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003"};
+                     "Tutte 1963; Pinkall and Polthier 1993; Floater 2003",
+                     "Gu et al. 2004; Haker et al. 2000; Kazhdan et al. 2012; Nadeem et al. 2017 (spheres)"};
   return help;
 }
 
@@ -114,17 +110,14 @@ void runMap(const MapOptions& o, const Session& session) {
   const MapFamily& family = familyOf(o);
   refuseForeignOptions(o, family);
   requireArrayFormat("--output", o.output);
-  if (!o.shared.refinement.empty()) requireArrayFormat("--refinement", o.shared.refinement);
-  requireWritable({o.output, o.report, o.shared.refinement});
+  requireWritable({o.output, o.report});
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.shared.space);
   const vtkSmartPointer<vtkSurfaceMapAlgorithm> filter = family.filter(o.method, o.shared, session);
   if (o.textureCoordinates) filter->SetOutputModeToTextureCoordinates();
   if (!o.measure.empty()) filter->SetMeasureArrayName(arrayOf(surface, o.measure, session));
-  family.addArrays(filter, surface, session);
   filter->SetInputData(0, surface);
   const int code = update(filter.Get(), session);
   writeSurface(o.output, filter->GetOutput());
-  if (!o.shared.refinement.empty()) writeSurface(o.shared.refinement, filter->GetOutput(1));
   if (!o.report.empty()) writeText(o.report, filter->GetReport());
   if (code != NotConverged || o.allowNonconverged) return;
   throw Failure(NotConverged, "The map did not reach the tolerance; the best one is in " + o.output +
@@ -134,7 +127,7 @@ void runMap(const MapOptions& o, const Session& session) {
 void declareOutputs(CLI::App* verb, MapOptions& o) {
   verb->add_option("-o,--output", o.output, "The map.")->type_name("MAP.vtp")->required();
   verb->add_option("--report", o.report,
-                   "Status, residual history, seconds, metrics, flips, topology, options, version.")
+                   "Status, residual history, seconds, metrics, flips, histograms, topology, options, version.")
       ->type_name("REPORT.json");
   verb->add_flag("--texture-coordinates", o.textureCoordinates,
                  "The points stay the surface; the image becomes texture coordinates in [0, 1].");
@@ -159,8 +152,7 @@ void declareShared(CLI::App* verb, MapOptions& o) {
           "--domain", o.shared.domain,
           "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
           "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
-          "free (the boundary takes its own shape, mm), annulus (outer radius 1), rectangle (periodic, circumference "
-          "1), circle-domain (unit disk without round holes).")
+          "annulus, circle-domain, free.")
       ->type_name("DOMAIN");
   verb->add_option("--measure", o.measure,
                    "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
@@ -171,14 +163,8 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
           ->type_name("N")->check(notNegative()),
-      verb->add_option("--metric", o.shared.metric, meanings(o, "--metric"))->type_name("METRIC"),
-      verb->add_option("--radii", o.shared.radii, meanings(o, "--radii"))->type_name("RADII"),
-      verb->add_option("--road", o.shared.road, meanings(o, "--road"))->type_name("ROAD"),
-      verb->add_option("--centre", o.shared.centre, meanings(o, "--centre"))->type_name("WHAT"),
-      verb->add_option("--outer-vertex", o.shared.outerVertex, meanings(o, "--outer-vertex"))->type_name("V"),
-      verb->add_option("--start-vertex", o.shared.startVertex, meanings(o, "--start-vertex"))->type_name("V"),
-      verb->add_flag("--no-unfold", o.shared.noUnfold, meanings(o, "--no-unfold")),
-      verb->add_option("--refinement", o.shared.refinement, meanings(o, "--refinement"))->type_name("REFINED.vtp")};
+      verb->add_flag("--no-unfold", o.shared.noUnfold,
+                     "Leave folded faces as they are. " + meanings(o, "--no-unfold"))};
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ void addCut(CLI::App& app, Session& session);
 void addExtract(CLI::App& app, Session& session);
 void addSample(CLI::App& app, Session& session);
 void addElements(CLI::App& app, Session& session);
+void addWeld(CLI::App& app, Session& session);
 void addConvert(CLI::App& app, Session& session);
 
 }  // namespace authalic::cli

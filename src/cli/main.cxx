@@ -12,7 +12,9 @@ int main(int argc, char** argv) {
   describeProgram(app);
   app.set_version_flag("--version", authalic::version());
   app.require_subcommand(1);
-  for (const auto add : {addInfo, addMap, addCut, addExtract, addSample, addElements, addConvert}) add(app, session);
+  for (const auto add : {addInfo, addMap, addWeld, addCut, addExtract, addSample, addElements, addConvert}) {
+    add(app, session);
+  }
   try {
     app.parse(argc, argv);
     return Success;

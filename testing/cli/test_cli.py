@@ -64,7 +64,7 @@ class CommandLine(unittest.TestCase):
 
 class Help(CommandLine):
     def test_every_verb_has_a_page_with_examples_and_exit_codes(self):
-        for verb in ("info", "map", "cut", "extract", "sample", "elements", "convert"):
+        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "convert"):
             page = self.succeeds(verb, "--help")
             for section in ("SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "OPTIONS", "EXAMPLES", "EXIT CODES"):
                 self.assertIn(section, page, verb)
@@ -92,6 +92,15 @@ class Usage(CommandLine):
                 words = self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", option, value)
                 self.assertLess(len(words), 160, words)
 
+    def test_options_of_a_sphere_that_do_not_fit_are_2(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        for words in (("--domain", "disk"), ("--initial", "tutte"), ("--rotation", "landmarks"),
+                      ("--landmarks", "3", "3"), ("--landmarks", "3"), ("--landmarks", "3", "9999999"),
+                      ("--rotation", "none", "--landmarks", "3", "4"), ("--punctured-face", "9999999"),
+                      ("--tolerance", "0"), ("--step-ratio", "0.5")):
+            self.fails(2, "map", "sphere", sphere, "-o", "m.vtp", *words)
+        self.assertIn("sphere", self.fails(2, "map", "welding", sphere, "-o", "m.vtp", "--initial", "harmonic"))
+
     def test_a_domain_that_is_none_is_2(self):
         for domain in ("foo", "rectangle", "rectangle:", "rectangle:0", "rectangle:-1", "rectangle:nan",
                        "rectangle:1e9", "polygon:", "disk:3", "torus"):
@@ -100,36 +109,6 @@ class Usage(CommandLine):
                         "0 0\n0 0\n1 1\n"):
             (self.here / "corners.txt").write_text(corners)
             self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--domain", "polygon:corners.txt")
-
-    def test_options_of_the_conformal_maps_that_do_not_fit_are_2_in_words(self):
-        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        (self.here / "turns.txt").write_text("0.1\n" * 1261)
-        for words, why in (("lscm --domain disk", "free"), ("lscm --tolerance 1e-3", "--pins spectral"),
-                           ("lscm --pin-vertices 0 1", "boundary"), ("lscm --pins three", "two-vertices"),
-                           ("lscm --metric circle-packing", "yamabe"), ("slim --boundary fixed", "--initial"),
-                           ("slim --domain torus", "disk"), ("slim --initial lscm", "tutte"),
-                           ("yamabe --domain square", "disk or free"), ("yamabe --domain free", "--curvature"),
-                           ("yamabe --domain disk --curvature turns.txt", "leave one out"),
-                           ("yamabe --curvature turns.txt", "inner vertices"),
-                           ("yamabe --curvature none", "array"), ("yamabe --radii tangent", "circle-packing"),
-                           ("yamabe --start-vertex 0", "boundary vertex"), ("yamabe --tolerance 0", "positive"),
-                           ("yamabe --road puncture", "riemann"), ("riemann --initial tutte", "slim"),
-                           ("riemann --puncture 3", "--road puncture"), ("riemann --centre face", "face:F"),
-                           ("riemann --centre vertex:999999", "999999"), ("riemann --domain square", "disk"),
-                           ("riemann --road puncture --refinement r.vtp", "boundary"),
-                           ("riemann --road puncture --puncture 999999", "999999"),
-                           ("riemann --outer-vertex 3", "annulus"), ("annulus --domain disk", "rectangle"),
-                           ("annulus --road koebe", "circle-domain"),
-                           ("circle-domain --domain annulus", "circle-domain"),
-                           ("circle-domain --road puncture", "koebe"), ("circle-domain --max-rounds 3", "--road koebe"),
-                           ("circle-domain --outer-vertex 0", "none of the 1"),
-                           ("circle-domain --road koebe --refinement r.vtp", "curvature"),
-                           ("circle-domain --centre vertex:0.5", "face:F")):
-            self.assertIn(why, self.fails(2, "map", *words.split(), disk, "-o", "m.vtp"), words)
-        self.succeeds("map", "riemann", disk, "-o", "start.vtp")
-        words = ("map", "slim", disk, "-o", "m.vtp", "--initial", "start.vtp")
-        self.assertIn("--boundary fixed", self.fails(2, *words, "--domain", "disk"))
-        self.assertIn("leave one out", self.fails(2, *words, "--domain", "free", "--boundary", "fixed"))
 
     def test_a_measure_that_is_no_positive_density_is_2(self):
         for first in ("0", "-1", "nan", "inf"):
@@ -290,8 +269,15 @@ class Surfaces(CommandLine):
             lines = [f"OFF\n{len(points)} {len(faces)} 0"] + [f"{x} {y} {z}" for x, y, z in points]
             (self.here / f"{name}.off").write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n")
             self.succeeds("info", f"{name}.off")
-            for method in ("tutte", "harmonic", "mean-value", "lscm", "slim", "yamabe", "riemann", "lie-flow"):
+            for method in ("tutte", "harmonic", "mean-value", "lie-flow", "authalic"):
                 self.assertIn("disk is required", self.fails(3, "map", method, f"{name}.off", "-o", "m.vtp"))
+
+    def test_what_is_no_sphere_is_3_with_where_and_what_would_help(self):
+        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
+        for method in ("sphere", "welding"):
+            self.assertIn("genus 1", self.fails(3, "map", method, torus, "-o", "m.vtp"))
+            words = self.fails(3, "map", method, self.sheet, "-o", "m.vtp")
+            self.assertRegex(words, r"sphere is required.*1 boundary loop.* near \(.*\) mm; close it")
 
     def test_a_closed_surface_is_3(self):
         torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
@@ -325,6 +311,29 @@ class Results(CommandLine):
                        "version"):
             self.assertIn(member, report)
 
+    def test_conformal_maps_keep_angles(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        for name, method, *words in (("bumpy_disk.off", "riemann"), ("bumpy_disk.off", "riemann", "--road", "puncture"),
+                                     ("bumpy_disk.off", "riemann", "--centre", "face:3"),
+                                     ("bumpy_disk.off", "yamabe", "--metric", "circle-packing"),
+                                     ("bumpy_disk.off", "lscm", "--pins", "spectral"), ("bent_tube.off", "annulus"),
+                                     ("bent_tube.off", "annulus", "--domain", "rectangle"),
+                                     ("bent_tube.off", "circle-domain", "--road", "koebe")):
+            self.succeeds("map", method, fixtures / name, "-o", "c.vtp", "--report", "c.json", "-q", *words)
+            report = json.loads((self.here / "c.json").read_text())
+            self.assertEqual((report["method"], report["status"], report["metrics"]["flipped_faces"]),
+                             (method, "converged", 0), words)
+            self.assertLess(report["metrics"]["angle_distortion"], 2.05, (method, words))
+
+    def test_options_of_conformal_maps_that_do_nothing_are_2(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for words in (("riemann", "--puncture", 3), ("riemann", "--packing-radii", "tangent"), ("annulus", "--refine"),
+                      ("yamabe", "--road", "koebe"), ("yamabe", "--domain", "free"), ("riemann", "--centre", "middle"),
+                      ("lscm", "--tolerance", 1e-3), ("lscm", "--domain", "disk"), ("slim", "--domain", "square"),
+                      ("riemann", "--outer-vertex", 1), ("riemann", "--domain", "free")):
+            self.fails(2, "map", words[0], disk, "-o", "m.vtp", *words[1:])
+        self.assertIn("boundary loops", self.fails(3, "map", "annulus", disk, "-o", "m.vtp"))
+
     def test_closed_surfaces_have_domains_of_their_own(self):
         torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
         self.succeeds("map", "authalic", torus, "-o", "t.vtp", "--domain", "torus", "--report", "t.json", "-q",
@@ -340,77 +349,31 @@ class Results(CommandLine):
         self.assertIn("--initial", self.fails(2, "map", "authalic", torus, "-o", "s.vtp", "--domain", "torus",
                                               "--initial", "t.vtp"))
 
-    def test_conformal_maps_take_curvatures_starts_and_give_their_refinement(self):
-        count = 25 * 25
-        turns = [0.0] * count
-        for corner in (0, 24, 600, 624):
-            turns[corner] = math.pi / 2
-        (self.here / "turns.txt").write_text("\n".join(map(repr, turns)) + "\n")
-        self.succeeds("map", "yamabe", self.sheet, "-o", "y.vtp", "--curvature", "turns.txt", "--report", "y.json",
-                      "--refinement", "refined.vtp")
-        report = json.loads((self.here / "y.json").read_text())
-        self.assertEqual((report["status"], report["flips"], report["refinement_flipped_faces"]), ("converged", 0, 0))
-        self.assertLess(report["curvature_residual"], 1e-10)
-        self.assertIn(b"OriginalCellIds", (self.here / "refined.vtp").read_bytes())
-        for name in (b"LogScale", b"Curvature", b"OriginalPoints"):
-            self.assertIn(name, (self.here / "y.vtp").read_bytes())
-        self.succeeds("map", "slim", self.sheet, "-o", "s.vtp", "--initial", "y.vtp", "--boundary", "fixed",
-                      "--report", "s.json")
-        self.succeeds("map", "slim", self.sheet, "-o", "d.vtp", "--domain", "disk", "--report", "d.json")
-        fixed, disk = (json.loads((self.here / name).read_text()) for name in ("s.json", "d.json"))
-        self.assertEqual((fixed["options"]["initial"], disk["options"]["boundary"]), ("given", "fixed"))
-        self.assertLess(fixed["isometric_energy"], disk["isometric_energy"])  # a square sheet stays a square
-        self.assertEqual((fixed["flips"], disk["flips"]), (0, 0))
-
-    def test_a_tube_goes_to_a_ring_a_periodic_rectangle_and_a_circle_domain_of_one_modulus(self):
-        tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
-        found = {}
-        for name, words in (("ring", "annulus --refinement refined.vtp"), ("flat", "annulus --domain rectangle"),
-                            ("curvature", "circle-domain"), ("koebe", "circle-domain --road koebe")):
-            method, *options = words.split()
-            self.succeeds("map", method, tube, "-o", f"{name}.vtp", "--report", f"{name}.json", *options)
-            found[name] = json.loads((self.here / f"{name}.json").read_text())
-            self.assertEqual((found[name]["status"], found[name]["flips"]), ("converged", 0))
-        ring, flat = found["ring"], found["flat"]
-        self.assertEqual(ring["conformal_modulus"], flat["conformal_modulus"])
-        self.assertLess(max(ring["holonomy"], flat["holonomy"]), 1e-9)
-        self.assertAlmostEqual(flat["height"] / flat["circumference"], flat["conformal_modulus"])
-        self.assertIn(b"OriginalPointIds", (self.here / "flat.vtp").read_bytes())
-        for name in ("curvature", "koebe"):
-            x, y, radius = next(c for c in zip(*[iter(found[name]["circles"])] * 3) if c[2] < 0.999)
-            modulus = math.acosh((1 + radius**2 - x * x - y * y) / (2 * radius)) / (2 * math.pi)
-            self.assertLess(abs(modulus - ring["conformal_modulus"]), 0.01 * modulus)
-            self.assertLess(max(found[name]["circle_roundness"]), 1e-12)
+    def test_the_authalic_map_is_exact_at_every_vertex_of_every_domain(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        triangle = self.here / "triangle.txt"
+        triangle.write_text("0 0\n4 0\n0 3\n")
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        for surface, domain in ((disk, "disk"), (disk, "square"), (disk, "rectangle:2"),
+                                (disk, f"polygon:{triangle}"), (sphere, "sphere")):
+            self.succeeds("map", "authalic", surface, "-o", "m.vtp", "--domain", domain, "--report", "r.json", "-q")
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual(report["status"], "converged", domain)
+            self.assertEqual(report["metrics"]["flipped_faces"], 0, domain)
+            self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9, domain)
+        for option in ("--tolerance", "--vertex-tolerance"):
+            self.fails(2, "map", "authalic", disk, "-o", "m.vtp", option, 0)
 
     def test_holes_have_their_areas_and_vertices_theirs(self):
         tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
-        for domain in ("circle-domain", "annulus"):
-            self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", domain, "--hole-areas", 150, "--tolerance",
-                          0.05, "--outer-vertex", 0, "--report", "h.json")
-            report = json.loads((self.here / "h.json").read_text())
-            self.assertEqual((report["status"], report["flips"], report["outer_loop"]), ("converged", 0, 0))
-            self.assertEqual((report["options"]["domain"], report["hole_areas"]), (domain, [150]))
-            self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus", "--hole-areas", 150, "--tolerance",
+                      0.05, "--report", "h.json")
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["hole_areas"]), ("converged", [150]))
+        self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
         self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                                   "--hole-areas", 1, 2))
-
-    def test_surfaces_with_other_loops_are_3_with_their_places(self):
-        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        torus = pathlib.Path(ARGUMENTS.fixtures) / "torus.off"
-        said = self.fails(3, "map", "annulus", disk, "-o", "m.vtp")
-        self.assertRegex(said, r"1 boundary loop: found too few .* near \(.*\) mm; .*authalic cut")
-        self.assertIn("authalic cut", self.fails(3, "map", "circle-domain", torus, "-o", "m.vtp"))
-
-    def test_the_two_roads_of_the_riemann_map_agree_and_the_centre_is_the_chosen_face(self):
-        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        for road in ("boundary", "puncture"):
-            self.succeeds("map", "riemann", disk, "-o", f"{road}.off.vtp", "--road", road, "--centre", "face:40",
-                          "--report", f"{road}.json")
-        one, two = (json.loads((self.here / f"{road}.json").read_text()) for road in ("boundary", "puncture"))
-        self.assertEqual(one["options"]["centre_id"], 40)
-        self.assertNotEqual(one["metrics"], two["metrics"])
-        self.assertLess(abs(one["metrics"]["area_distortion"] / two["metrics"]["area_distortion"] - 1), 0.02)
 
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
@@ -421,8 +384,11 @@ class Results(CommandLine):
         self.succeeds(*words, "--allow-nonconverged")
 
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
-        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
-        for method in ("tutte", "harmonic", "mean-value", "lscm", "slim", "yamabe", "riemann", "lie-flow"):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        surfaces = {"bumpy_disk.off": ("tutte", "harmonic", "mean-value", "lie-flow", "lie-advection", "authalic",
+                                       "riemann", "yamabe", "lscm", "slim"),
+                    "bent_tube.off": ("annulus", "circle-domain"), "folded_sphere.off": ("sphere", "welding")}
+        for disk, method in ((fixtures / name, method) for name, methods in surfaces.items() for method in methods):
             maps, reports = [], []
             for name, threads in (("a", 1), ("b", 1), ("c", 2)):
                 self.succeeds("map", method, disk, "-o", f"{name}.vtp", "--report", f"{name}.json",
@@ -433,6 +399,40 @@ class Results(CommandLine):
             for other in (1, 2):
                 self.assertTrue(maps[0] == maps[other], f"{method}: bytes of the map differ")
                 self.assertEqual(reports[0], reports[other], method)
+
+    def test_a_sphere_has_the_same_bytes_at_any_thread_count_and_every_road_leads_to_it(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        for words in (("sphere",), ("welding",), ("sphere", "--initial", "mean-curvature-flow"),
+                      ("sphere", "--initial", "stereographic", "--rotation", "principal-axes")):
+            for threads in (1, 2):
+                self.succeeds("map", *words, sphere, "-o", f"{threads}.vtp", "--report", "r.json", "--threads", threads)
+            self.assertTrue((self.here / "1.vtp").read_bytes() == (self.here / "2.vtp").read_bytes(), words)
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual((report["method"], report["status"], report["flips"]), (words[0], "converged", 0))
+            self.assertLess(report["centre_of_mass"], 1e-10)
+            self.assertLess(report["metrics"]["angle_distortion"], 2.05)
+
+    def test_two_halves_weld_to_a_sphere_and_others_do_not(self):
+        halves = [pathlib.Path(ARGUMENTS.fixtures) / f"{side}_shell.off" for side in ("upper", "lower")]
+        maps = ["upper.vtp", "lower.vtp"]
+        for half, image in zip(halves, maps):
+            self.succeeds("map", "mean-value", half, "-o", image)
+        self.succeeds("weld", *maps, "-o", "sphere.vtp", "--report", "r.json")
+        report = json.loads((self.here / "r.json").read_text())
+        self.assertEqual((report["method"], report["flips"], report["topology"]["euler_characteristic"]),
+                         ("conformal-welding", 0, 2))
+        self.assertLess(report["boundary_mismatch"], 1e-10)
+        self.succeeds("map", "tutte", self.sheet, "-o", "sheet.vtp")
+        self.assertIn("same number", self.fails(3, "weld", maps[0], "sheet.vtp", "-o", "s.vtp"))
+        self.assertIn("OriginalPoints", self.fails(2, "weld", *halves, "-o", "s.vtp"))
+        self.assertIn("Seam", self.fails(2, "weld", *maps, "-o", "s.vtp", "--signature", "Seam"))
+        self.assertIn("is required", self.fails(3, "weld", maps[0], maps[0], "-o", "s.vtp"))
+
+    def test_a_sphere_that_did_not_converge_is_4(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        words = ["map", "sphere", sphere, "-o", "m.vtp", "--max-iterations", "1", "--quiet"]
+        self.assertEqual(self.run_verb(*words).returncode, 4)
+        self.succeeds(*words, "--allow-nonconverged")
 
     def test_elements_are_the_same_in_two_runs_and_at_any_thread_count(self):
         for name, threads in (("a", 1), ("b", 2), ("c", 2)):

@@ -94,7 +94,7 @@ class Debian(unittest.TestCase):
         command = ROOT / "usr/bin/authalic"
         self.assertEqual(must(command, "--version").strip(), version())
         self.assertRegex(must(command, "info", ARGUMENTS.source / "data/torus.off"), r"genus +1\n")
-        must(command, "map", "lie-flow", ARGUMENTS.source / "data/bumpy_disk.off", "-o", FOLDER / "map.vtp",
+        must(command, "map", "authalic", ARGUMENTS.source / "data/bumpy_disk.off", "-o", FOLDER / "map.vtp",
              "--report", FOLDER / "map.json")
         report = json.loads((FOLDER / "map.json").read_text())
         self.assertEqual((report["status"], report["metrics"]["flipped_faces"]), ("converged", 0))

@@ -39,7 +39,7 @@ echo "installed: $(inside dpkg-query -W -f='${Package} ${Version}' authalic), $(
 
 inside authalic --version
 inside authalic info /tmp/torus.off | grep -q "genus" || { echo "authalic info says nothing of the genus"; exit 1; }
-inside authalic map lie-flow /tmp/bumpy_disk.off -o /tmp/map.vtp --report /tmp/map.json
+inside authalic map authalic /tmp/bumpy_disk.off -o /tmp/map.vtp --report /tmp/map.json
 inside /usr/bin/python3 /tmp/use_in_clean_root.py
 
 inside apt-get install -y -qq -o Dpkg::Use-Pty=0 --no-install-recommends g++ cmake make libeigen3-dev >/dev/null

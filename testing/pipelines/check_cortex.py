@@ -86,7 +86,9 @@ class FastJob(unittest.TestCase):
             self.assertEqual(report["white"]["Genus"], 0)
             self.assertEqual(report["white"]["EulerCharacteristic"], 2)
             self.assertEqual(report["area_preserving"]["FlippedFaces"], 0)
-            self.assertLess(report["area_preserving"]["TotalAreaDistortion"], 2.05)
+            self.assertEqual(report["area_preserving"]["Status"], "converged")
+            self.assertLess(report["area_preserving"]["TotalAreaDistortion"], 2 + 1e-4)
+            self.assertLess(report["area_preserving"]["VertexMaxAbsLog"], 1e-9)
             self.assertGreater(report["initial"]["TotalAreaDistortion"],
                                report["area_preserving"]["TotalAreaDistortion"])
 
@@ -113,7 +115,7 @@ class FastJob(unittest.TestCase):
                 area, inside = numbers(columns["area_mm2"]), np.array(columns["interior"]) == "1"
                 self.assertAlmostEqual(area.sum() / kept, 1, places=6)
                 deviation[name] = np.abs(numbers(columns["area_ratio"])[inside] - 1).max()
-            self.assertLess(deviation["elements"], 0.02)
+            self.assertLess(deviation["elements"], 1e-3)
             self.assertGreater(deviation["elements_initial"], 0.2)
 
     def test_tables_have_their_columns_and_the_sidecars_describe_them(self):

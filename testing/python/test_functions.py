@@ -184,11 +184,27 @@ class Surfaces(unittest.TestCase):
         self.assertGreater(authalic.measure_distortion(folded, flat, surface.faces).metrics["flipped_faces"], 0)
         same = authalic.measure_distortion(3 * surface.points[:, :2], flat, surface.faces)
         self.assertAlmostEqual(same.metrics["area_distortion"], 2.0)
-        self.assertLess(np.abs(same.face_arrays["Beltrami"]).max(), 1e-9)
+        self.assertLess(np.abs(same.face_arrays["BeltramiCoefficient"]).max(), 1e-9)
         with self.assertRaises(authalic.InvalidArgument):
             authalic.measure_distortion(np.zeros((2, 2)), surface)
         with self.assertRaises(authalic.InvalidArgument):
             authalic.measure_distortion(result, surface, measure=[1.0])
+
+    def test_distortion_of_a_sphere_and_its_statistics_are_numpys(self):
+        surface = authalic.read_surface(DATA / "folded_sphere.off")
+        result = authalic.flatten(surface, method="sphere", initial="welding")
+        found = authalic.measure_distortion(100 * result.image, surface)
+        self.assertEqual(set(found.metrics), set(result.metrics))
+        for name, value in result.metrics.items():
+            self.assertAlmostEqual(found.metrics[name], value, 9, name)
+        beltrami = np.linalg.norm(found.face_arrays["BeltramiCoefficient"], axis=1)
+        for name, value in (("mean", beltrami.mean()), ("sd", beltrami.std()), ("max", beltrami.max()),
+                            ("p5", np.percentile(beltrami, 5)), ("p99", np.percentile(beltrami, 99))):
+            self.assertAlmostEqual(found.metrics[f"beltrami_{name}"], value, 9, name)
+        bins = found.histograms["BeltramiHistogram"]
+        self.assertEqual(bins[:, 2].sum(), len(surface.faces))
+        self.assertEqual(bins[0, 2], (beltrami < bins[0, 1]).sum())
+        self.assertEqual(result.report["histograms"]["beltrami"]["counts"], bins[:-3, 2].tolist())
 
     def test_a_surface_goes_to_vtk_and_back(self):
         points, faces = sphere(1)

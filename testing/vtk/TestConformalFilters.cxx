@@ -32,7 +32,6 @@ namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
-using authalic::testing::diskMesh;
 using authalic::testing::sphereMesh;
 
 vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
@@ -126,7 +125,6 @@ TEST(ConformalFilters, HandOverEveryOption) {
   lscm->SetTolerance(pins.tolerance);
   lscm->SetMaximumIterations(pins.maxIterations);
   expectSame(lscm, leastSquaresConformalMap(disk, pins));
-  EXPECT_EQ(field(lscm->GetOutput(), "FirstPin"), pins.firstPin);
 
   const auto riemann = on<vtkRiemannMap>(disk.mesh());
   RiemannMapOptions options;
@@ -139,38 +137,29 @@ TEST(ConformalFilters, HandOverEveryOption) {
   options.flow.tolerance = 1e-6;
   options.flow.maxIterations = 90;
   riemann->SetRoadToPuncture();
-  riemann->SetPuncture(5);
+  riemann->SetPuncturedFace(5);
   riemann->SetCentreToFace();
   riemann->SetCentreId(40);
   riemann->SetStartVertex(disk.boundary()[7]);
   riemann->UnfoldOff();
   riemann->SetMetricToCirclePacking();
-  riemann->SetRadiiToCircumradius();
+  riemann->SetPackingRadiiToCircumradius();
   riemann->SetTolerance(1e-6);
   riemann->SetMaximumIterations(90);
   expectSame(riemann, riemannMap(disk, options));
 }
 
-TEST(SymmetricDirichletMapFilter, KeepsABoundaryThatIsFixedAndStartsFromAGivenMap) {
+TEST(SymmetricDirichletMapFilter, KeepsABoundaryThatIsFixed) {
   const DiskMesh disk(bumpyDisk(12));
-  const auto square = on<vtkSymmetricDirichletMap>(disk.mesh());
-  square->SetDomainToSquare();
-  square->SetBoundaryToFixed();
-  square->SetInitialMethodToMeanValue();
-  square->Update();
-  ASSERT_EQ(square->GetStatus(), "converged");
-  BarycentricMapOptions start;
-  start.domain = PlanarDomain::square();
-  const Points2 initial = barycentricMap(disk, start).image;
+  const auto filter = on<vtkSymmetricDirichletMap>(disk.mesh());
+  filter->SetBoundaryToFixed();
+  filter->SetInitialMethodToMeanValue();
+  filter->Update();
+  ASSERT_EQ(filter->GetStatus(), "converged");
+  const Points2 initial = barycentricMap(disk).image;
   for (const int v : disk.boundary()) {
-    EXPECT_LT((toPlanarPoints(square->GetOutput()).row(v) - initial.row(v)).norm(), 1e-12);
+    EXPECT_LT((toPlanarPoints(filter->GetOutput()).row(v) - initial.row(v)).norm(), 1e-12);
   }
-  const auto again = on<vtkSymmetricDirichletMap>(disk.mesh());
-  again->SetInputConnection(1, square->GetOutputPort());
-  again->SetBoundaryToFixed();
-  again->Update();
-  EXPECT_LE(again->GetIterations(), 1);  // it starts where it ends
-  EXPECT_NEAR(field(again->GetOutput(), "IsometricEnergy"), field(square->GetOutput(), "IsometricEnergy"), 1e-9);
 }
 
 TEST(YamabeMapFilter, TurnsItsBoundaryAsAnArraySays) {
@@ -197,7 +186,7 @@ TEST(YamabeMapFilter, RefusesTargetsThatNoMetricHas) {
     filter->Update();
     EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::ARGUMENT) << why;
     EXPECT_TRUE(words.contain(why)) << words.text();
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints() + filter->GetOutput(1)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   };
   Eigen::VectorXd curvature = squareCurvature(disk);
   curvature[disk.boundary()[0]] = 0.1;
@@ -214,14 +203,13 @@ TEST(YamabeMapFilter, RefusesTargetsThatNoMetricHas) {
 
 TEST(CurvatureFlowFilters, CarryScaleFactorsThatTheImageFollows) {
   const DiskMesh disk(authalic::testing::capMesh(8, 1.2));  // Delaunay from the start to the end
-  for (const auto& filter : {vtkSmartPointer<vtkCurvatureFlowMapAlgorithm>(on<vtkYamabeMap>(disk.mesh())),
-                             vtkSmartPointer<vtkCurvatureFlowMapAlgorithm>(on<vtkRiemannMap>(disk.mesh()))}) {
+  for (const auto& filter : {vtkSmartPointer<vtkConformalFlowAlgorithm>(on<vtkYamabeMap>(disk.mesh())),
+                             vtkSmartPointer<vtkConformalFlowAlgorithm>(on<vtkRiemannMap>(disk.mesh()))}) {
     filter->Update();
     ASSERT_EQ(field(filter->GetOutput(), "EdgeFlips"), 0);
-    EXPECT_LE(field(filter->GetOutput(), "CurvatureResidual"), 1e-10);
     EXPECT_LE(field(filter->GetOutput(), "Holonomy"), 1e-9);
     const Points2 image = toPlanarPoints(filter->GetOutput());
-    vtkDataArray* u = filter->GetOutput()->GetPointData()->GetArray("LogScale");
+    vtkDataArray* u = filter->GetOutput()->GetPointData()->GetArray("LogScaleFactor");
     for (int h = 0; h < 3 * disk.mesh().faceCount(); ++h) {
       const int i = disk.topology().tail(h), j = disk.topology().head(h);
       const double length = (disk.mesh().point(i) - disk.mesh().point(j)).norm();
@@ -231,16 +219,13 @@ TEST(CurvatureFlowFilters, CarryScaleFactorsThatTheImageFollows) {
   }
 }
 
-TEST(CurvatureFlowFilters, GiveTheCommonRefinementOnRequestOnly) {
+TEST(CurvatureFlowFilters, GiveTheCommonRefinementOnRequest) {
   const DiskMesh disk(bumpyDisk(12));
   const auto filter = on<vtkRiemannMap>(disk.mesh());
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfPoints(), 0);
   filter->RefineOn();
   filter->Update();
-  ASSERT_GT(field(filter->GetOutput(), "EdgeFlips"), 0);
-  EXPECT_EQ(field(filter->GetOutput(), "RefinementFlippedFaces"), 0);
-  vtkPolyData* refined = filter->GetOutput(1);
+  vtkPolyData* refined = filter->GetOutput();
+  ASSERT_GT(field(refined, "EdgeFlips"), 0);
   ASSERT_GT(refined->GetNumberOfCells(), disk.mesh().faceCount());
   const DiskMesh mapped(toTriangleMesh(refined));  // still a disk, so one-to-one where nothing folds
   EXPECT_EQ(field(refined, "FlippedFaces"), 0);
@@ -300,11 +285,6 @@ TEST(ConformalFilters, RefuseAClosedSurfaceAndBadOptionsInWords) {
   punctured->SetRoadToPuncture();
   punctured->RefineOn();
   refused(punctured, vtkSurfaceAlgorithm::ARGUMENT, "common refinement");
-  const auto folded = on<vtkSymmetricDirichletMap>(disk);
-  Points3 mirrored = diskMesh(6).points();
-  mirrored.row(0) << 3, 3, 0;
-  folded->SetInputData(1, polyData(TriangleMesh(mirrored, diskMesh(6).faces())));
-  refused(folded, vtkSurfaceAlgorithm::SURFACE, "folded");
 }
 
 TEST(ConformalFilters, HaveTheSameBitsAtAnyThreadCount) {

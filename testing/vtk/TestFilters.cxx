@@ -247,7 +247,7 @@ TEST(MapDistortionFilter, MeasuresWhatCoreMeasures) {
   EXPECT_EQ(field(filter->GetOutput(), "TotalAreaDistortion"), core.summary.areaDistortion);
   EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("AreaDistortion")->GetComponent(5, 0),
             core.arrays.logAreaRatio[5]);
-  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("Beltrami")->GetComponent(5, 1),
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("BeltramiCoefficient")->GetComponent(5, 1),
             core.arrays.beltrami[5].imag());
 }
 

@@ -8,6 +8,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCircleDomainAuthalicMap.h>
 #include <vtkCircleDomainMap.h>
+#include <vtkConformalFlowAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -121,7 +122,7 @@ TEST(AnnulusMapFilter, OpensTheRectangleAlongTheCutWithSidesOnePeriodApart) {
 TEST(HoledFilters, CarryScaleFactorsThatTheImageFollows) {
   const PolyAnnulusMesh surface(frustum());
   for (const bool rectangle : {true, false}) {
-    vtkSmartPointer<vtkCurvatureFlowMapAlgorithm> filter = on<vtkCircleDomainMap>(surface.mesh());
+    vtkSmartPointer<vtkConformalFlowAlgorithm> filter = on<vtkCircleDomainMap>(surface.mesh());
     if (rectangle) {
       const auto annulus = on<vtkAnnulusMap>(surface.mesh());
       annulus->SetDomainToRectangle();
@@ -131,7 +132,7 @@ TEST(HoledFilters, CarryScaleFactorsThatTheImageFollows) {
     ASSERT_EQ(field(filter->GetOutput(), "EdgeFlips"), 0);
     const TriangleMesh opened = surfaceOfMap(filter->GetOutput());
     const Points2 image = toPlanarPoints(filter->GetOutput());
-    vtkDataArray* u = filter->GetOutput()->GetPointData()->GetArray("LogScale");
+    vtkDataArray* u = filter->GetOutput()->GetPointData()->GetArray("LogScaleFactor");
     ASSERT_NE(u, nullptr);
     for (Eigen::Index f = 0; f < opened.faces().rows(); ++f) {
       const int i = opened.faces()(f, 0), j = opened.faces()(f, 1);
@@ -169,7 +170,7 @@ TEST(CircleDomainMapFilter, GivesTheImageAndTheCirclesOfCoreOnBothRoads) {
     const Points2 image = toPlanarPoints(filter->GetOutput());
     EXPECT_EQ(image, core.image);
     EXPECT_EQ(field(filter->GetOutput(), "OuterLoop"), 1);
-    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("LogScale") == nullptr, koebe);
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("LogScaleFactor") == nullptr, koebe);
     for (int k = 0; k < 3; ++k) {
       const Eigen::RowVector2d centre(field(filter->GetOutput(), "Circles", k, 0),
                                       field(filter->GetOutput(), "Circles", k, 1));
@@ -186,13 +187,8 @@ TEST(HoledFilters, GiveTheCommonRefinementOnRequest) {
   filter->RefineOn();
   filter->Update();
   ASSERT_GT(field(filter->GetOutput(), "EdgeFlips"), 0);
-  EXPECT_GT(filter->GetOutput(1)->GetNumberOfCells(), mesh.faceCount());
-  EXPECT_EQ(field(filter->GetOutput(1), "FlippedFaces"), 0);
-  const auto ring = on<vtkAnnulusMap>(frustum());
-  ring->RefineOn();
-  ring->Update();
-  EXPECT_EQ(field(ring->GetOutput(), "RefinementFlippedFaces"), 0);
-  EXPECT_GE(ring->GetOutput(1)->GetNumberOfCells(), frustum().faceCount());
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), mesh.faceCount());
+  EXPECT_EQ(field(filter->GetOutput(), "FlippedFaces"), 0);
 }
 
 TEST(HoledFilters, RefuseOtherTopologiesAndBadOptionsInWords) {
@@ -208,10 +204,6 @@ TEST(HoledFilters, RefuseOtherTopologiesAndBadOptionsInWords) {
   koebe->SetRoadToKoebe();
   koebe->RefineOn();
   EXPECT_SAYS(refusal(koebe, vtkSurfaceAlgorithm::ARGUMENT), "common refinement");
-  const auto flat = on<vtkAnnulusMap>(frustum());
-  flat->SetDomainToRectangle();
-  flat->RefineOn();
-  EXPECT_SAYS(refusal(flat, vtkSurfaceAlgorithm::ARGUMENT), "rectangle");
   const auto start = on<vtkAnnulusMap>(frustum());
   start->SetStartVertex(100);
   EXPECT_SAYS(refusal(start, vtkSurfaceAlgorithm::ARGUMENT), "vertex 100");

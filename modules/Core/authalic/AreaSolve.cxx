@@ -1,5 +1,6 @@
 #include "Core/authalic/AreaSolve.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -15,6 +16,9 @@ constexpr double kPinned = 0.1;         // a vertex step shorter than this leads
 constexpr double kEnough = 0.4;        // of the tolerance: vertex steps disturb the faces
 constexpr double kPlenty = 0.2;         // of the tolerance: until then face steps go on while they are worth their time
 constexpr double kWorthwhile = 0.92;    // factor of the residual in one face step
+constexpr double kNearlyEnough = 0.8;   // of the tolerance: vertex steps are tried when face steps get slow
+constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
+constexpr double kMeanLog = 0.45;       // of the tolerance: farther small faces are worth one more round
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 
@@ -35,13 +39,14 @@ class AreaSolver {
       const bool moved = faceSteps(goal, image);
       Coordinates exact = image;
       reached = vertexSteps(exact);
-      goal *= reached ? kEnough * options_.tolerance / faces_.residual(exact) : 0.5;
+      goal *= reached ? std::clamp(kEnough * options_.tolerance / faces_.residual(exact), kEnough, 0.5) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
     result_.faceResidual = faces_.residual(result_.image);
     result_.vertexResidual = vertices_.residual(result_.image);
+    if (converged_ && result_.status != Status::Cancelled) result_.status = Status::Converged;
     if (result_.status == Status::NotRun) result_.status = Status::NotConverged;
     return std::move(result_);
   }
@@ -57,6 +62,11 @@ class AreaSolver {
     execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
   }
 
+  // The residual hardly sees small faces; the mean over faces does.
+  [[nodiscard]] bool evenSmallFacesAreNear(const Coordinates& image, double goal) const {
+    return faces_.meanAbsLog(image) <= kEnough * goal;
+  }
+
   // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether
   // any step was taken.
   bool faceSteps(double goal, Coordinates& image) {
@@ -70,7 +80,11 @@ class AreaSolver {
       const auto slower = [&](std::size_t steps, double factor) {
         return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
       };
-      if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal) break;
+      if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal && evenSmallFacesAreNear(image, goal)) break;
+      if (slower(kSlowSteps / 2, kGettingSlow)) {
+        if (residuals.back() <= kNearlyEnough * goal) break;
+        faces_.relax();
+      }
       if (slower(kSlowSteps, kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;
@@ -101,7 +115,10 @@ class AreaSolver {
     if (result_.image.size() > 0 && residual >= result_.faceResidual) return;
     result_.image = exact;
     result_.faceResidual = residual;
-    if (residual <= options_.tolerance) result_.status = Status::Converged;
+    if (residual > options_.tolerance) return;
+    converged_ = true;
+    if (refined_ || faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
+    refined_ = true;
   }
 
   const AuthalicMapOptions& options_;
@@ -109,6 +126,8 @@ class AreaSolver {
   FaceMatch faces_;
   VertexMatch vertices_;
   AreaSolveResult result_;
+  bool converged_ = false;  // `result_.image` is within both tolerances
+  bool refined_ = false;    // and small faces had their round
 };
 
 }  // namespace

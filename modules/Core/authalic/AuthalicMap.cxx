@@ -9,15 +9,15 @@
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/PlanarAreas.h"
+#include "Core/authalic/RoomOnCircle.h"
 #include "Core/initial/Unfold.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
-#include "Core/initial/BarycentricMap.h"
 
 namespace authalic {
 namespace {
 
-constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
+constexpr double kWithinSight = 0.2;  // mean |ln r| of the stars, from where face steps converge
 constexpr double kUsable = 2;         // the same for a given initial map, which is then not balanced
 
 void require(bool condition, const std::string& required, double found) {
@@ -38,6 +38,14 @@ double farthestStar(const DiskMesh& disk, const TargetMeasure& target, const Poi
   return farthest;
 }
 
+BoundaryPlacement placed(const DiskMesh& disk, const TargetMeasure& target, const PlanarDomain& domain,
+                         const Points2& initial) {
+  if (initial.size() > 0) return recogniseBoundary(disk, domain, initial);
+  BoundaryPlacement placement = placeBoundary(disk, domain);
+  if (domain.isDisk()) makeRoomOnCircle(disk, target, placement);
+  return placement;
+}
+
 Points2 makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points2 image, const TargetMeasure& target,
                   const AuthalicMapOptions& options, bool given, const Execution& execution) {
   for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
@@ -45,6 +53,7 @@ Points2 makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Poin
   }
   if (!given || farthestStar(disk, target, image) > kUsable) {
     image = balancedStart(disk, image, target, options.solver, kWithinSight, execution);
+    image = reviveCollapsedFaces(disk, image, target, options.solver);
   }
   UnfoldResult unfolded = unfold(disk.topology(), std::move(image), execution);
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
@@ -72,15 +81,8 @@ AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
   requireTargetOf(disk.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
   const bool given = initial.size() > 0;
-  Points2 image = initial;
-  if (!given) {
-    BarycentricMapOptions tutte;
-    tutte.weights = BarycentricWeights::Uniform;
-    tutte.domain = options.domain;
-    tutte.solver = options.solver;
-    image = barycentricMap(disk, tutte).image;
-  }
-  const BoundaryPlacement placement = recogniseBoundary(disk, options.domain, image);
+  const BoundaryPlacement placement = placed(disk, target, options.domain, initial);
+  Points2 image = given ? initial : Points2(Points2::Zero(disk.mesh().vertexCount(), 2));
   image = makeStart(disk, placement, std::move(image), target, options, given, execution.part(0, 0.2));
   const SlidingBoundary sliding(placement, options.domain, image);
   const PlanarAreas areas(disk.mesh().faces(), sliding, disk.mesh().vertexCount());

@@ -44,7 +44,8 @@ struct AuthalicMapResult {
 
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.
 ///
-/// 1. *Start*: Tutte's map, or `initial`, reweighted until areas are within sight (see balancedStart in authalic/).
+/// 1. *Start*: Tutte's map with room for ears on the circle, or `initial`, reweighted until areas are within sight
+/// (see makeRoomOnCircle and balancedStart in authalic/).
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 /// target m; inner vertices move freely, those of the boundary along it.
 /// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the step

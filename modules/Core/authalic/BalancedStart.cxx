@@ -66,7 +66,8 @@ Points2 balance(const Setting& setting, const Points2& image, const TargetMeasur
   HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
   Points2 best = image, current = image;
   double least = areaDistortion(areasOf(setting, image), target.faces()), error = 1;
-  for (int round = 0; round < kRounds && error > goodEnough && !execution.cancelled(); ++round) {
+  for (int round = 0; round < kRounds && error > goodEnough; ++round) {
+    if (round > 0 && execution.cancelled()) break;
     execution.report(double(round) / kRounds, "Balancing the start");
     solver.solve(weights, current, setting.shifts);
     const Eigen::VectorXd areas = areasOf(setting, current);

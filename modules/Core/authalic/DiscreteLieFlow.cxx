@@ -1,11 +1,11 @@
 #include "Core/authalic/DiscreteLieFlow.h"
 
-#include <chrono>
 #include <string>
 #include <utility>
 
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/Stopwatch.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/Unfold.h"
@@ -20,19 +20,6 @@ void require(bool condition, const std::string& required, double found) {
   if (condition) return;
   throw InvalidArgument("Discrete Lie flow: " + required + " is required, but it is " + std::to_string(found) + ".");
 }
-
-class Stopwatch {
- public:
-  [[nodiscard]] double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // Whether some vertex star has less than e⁻⁸ or more than e⁸ of its share.
 bool farFromTarget(const DiskMesh& disk, const TargetMeasure& target, const Points2& image) {

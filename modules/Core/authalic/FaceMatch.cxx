@@ -6,8 +6,7 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestRatio = 0.02;   // of face areas, in the weights
-constexpr double kSmallestDamping = 3e-4;  // less buys the last errors with slides along curves of equal area
+constexpr double kSmallestRatio = 1e-3;   // of face areas, in the weights
 constexpr double kPinned = 0.25;          // of the step: faces that collapse before twice this are slowed by themselves
 constexpr double kMarginToFlip = 0.9;
 constexpr double kCollapsesEarly = 1.5;  // of a step: faces that collapse before it get stiffer
@@ -39,17 +38,18 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
 }
 
-double FaceMatch::residual(const Coordinates& image) const {
-  const Eigen::VectorXd a = areas_.areas(image);
-  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  const Eigen::ArrayXd share = a.array() / a.sum();
-  return std::sqrt(((share - targets_.array()).square() / share).sum());
-}
-
 double FaceMatch::energy(const Coordinates& image) const {
   const Eigen::VectorXd a = areas_.areas(image);
   if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  return ((a / a.sum() - targets_).array().square() * weights_.array()).sum();
+  const Eigen::ArrayXd share = a.array() / a.sum();
+  return ((share - targets_.array()).square() / share).sum();
+}
+
+double FaceMatch::residual(const Coordinates& image) const { return std::sqrt(energy(image)); }
+
+double FaceMatch::meanAbsLog(const Coordinates& image) const {
+  const Eigen::VectorXd a = areas_.areas(image);
+  return (a.array() / (a.sum() * targets_.array())).log().abs().mean();
 }
 
 void FaceMatch::linearise(const Coordinates& image) {
@@ -57,7 +57,8 @@ void FaceMatch::linearise(const Coordinates& image) {
   gradients_ = areas_.gradients(image, frames_);
   const Eigen::VectorXd a = areas_.areas(image);
   const double total = a.sum();
-  weights_ = (a.array() / total).max(kSmallestRatio * targets_.array()).inverse() / total;
+  const Eigen::ArrayXd ratio = (a.array() / (total * targets_.array())).max(kSmallestRatio);
+  weights_ = (1 + ratio) / (2 * ratio.square() * targets_.array() * total);
   right_ = Eigen::VectorXd::Zero(areas_.unknownCount());
   const Faces& faces = areas_.faces();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -116,7 +117,7 @@ void FaceMatch::stiffen(const Coordinates& image, const Coordinates& displacemen
 
 void FaceMatch::adapt(double step) {
   failures_ = step > 0 ? 0 : failures_ + 1;
-  damping_ = std::max(kSmallestDamping, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
+  damping_ = std::max(leastDamping_, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
 }
 
 double FaceMatch::advance(Coordinates& image) {

@@ -2,6 +2,8 @@
 /// Damped Gauss–Newton steps that bring every face to its target area. Private to authalic/.
 #pragma once
 
+#include <algorithm>
+
 #include "Core/authalic/AreaFunctional.h"
 #include "Core/numerics/ElementAssembly.h"
 
@@ -13,10 +15,10 @@ namespace authalic {
 ///
 ///     min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + ε Σ_{edges ij} |δ_i − δ_j|²,   S = Σ a,
 ///
-/// with φ_t = max(r_t, 0.02) of the image before the step, so that faces weigh as they do in r + 1/r − 2 = (r −
-/// 1)²/r; moves by the part of δ that folds no face and lowers E; and adapts ε: ×¼ after a long step, ×4 after a
-/// short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in the steps
-/// to come: a triangle that moves rigidly stays.
+/// with φ_t = 2 r_t² / (1 + r_t) of the image before the step, so that the right-hand side is the exact gradient of
+/// E; moves by the part of δ that folds no face and lowers E (1/r is a barrier); and adapts ε: ×¼ after a long step,
+/// ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in
+/// the steps to come: a triangle that moves rigidly stays.
 class FaceMatch {
  public:
   /// @param targets  m shares > 0, sum 1
@@ -29,12 +31,17 @@ class FaceMatch {
   /// (Σ m_t (r_t + 1/r_t − 2))^½ = (D_area − 2)^½ of an image; +infinity when a face is folded.
   [[nodiscard]] double residual(const Coordinates& image) const;
 
+  /// Mean |ln r_t| of an image without folds, every face counting the same.
+  [[nodiscard]] double meanAbsLog(const Coordinates& image) const;
+
   /// Five steps in a row were 0.
   [[nodiscard]] bool stalled() const noexcept { return failures_ > 4; }
   void restart() noexcept { failures_ = 0, damping_ = kFirstDamping; }
+  /// Allows smaller ε than so far: slides along curves of equal area, which buy the last errors with shear.
+  void relax() noexcept { leastDamping_ = std::max(0.3 * leastDamping_, kLeastDamping); }
 
  private:
-  static constexpr double kFirstDamping = 0.02;
+  static constexpr double kFirstDamping = 0.02, kUsualDamping = 3e-4, kLeastDamping = 1e-8;
   [[nodiscard]] double energy(const Coordinates& image) const;
   void linearise(const Coordinates& image);
   [[nodiscard]] Coordinates step();
@@ -51,7 +58,7 @@ class FaceMatch {
   AreaFunctional::Frames frames_;
   AreaFunctional::Gradients gradients_;
   Eigen::VectorXd weights_, right_, stiffness_;
-  double damping_ = kFirstDamping;
+  double damping_ = kFirstDamping, leastDamping_ = kUsualDamping;
   int failures_ = 0;
 };
 

@@ -117,6 +117,11 @@ SphereNormalisation normaliseSphere(const TriangleMesh& surface, const Points3& 
   return result;
 }
 
+double centreOfMassDistance(const TriangleMesh& surface, const Points3& image) {
+  const Eigen::VectorXd mass = vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount());
+  return (mass.transpose() * image).norm() / mass.sum();
+}
+
 Points3 rotateSphere(const TriangleMesh& surface, const Points3& image, const SphereNormalisationOptions& options) {
   options.validate();
   requireLandmark(surface, options.northVertex);

@@ -58,6 +58,9 @@ struct SphereNormalisation {
 [[nodiscard]] SphereNormalisation normaliseSphere(const TriangleMesh& surface, const Points3& image,
                                                   const SphereNormalisationOptions& options = {});
 
+/// |Σ m_i y_i| / Σ m_i of an image as it is. O(n).
+[[nodiscard]] double centreOfMassDistance(const TriangleMesh& surface, const Points3& image);
+
 /// The rotation alone, for images whose Möbius transformation is not free: nothing but isometries of the sphere.
 /// @throws as normaliseSphere
 [[nodiscard]] Points3 rotateSphere(const TriangleMesh& surface, const Points3& image,

@@ -18,7 +18,9 @@ Distortion measureDistortion(const TriangleMesh& opened, const std::vector<int>&
   MeasuredImage measured{Points3::Zero(image.rows(), 3), signedFaceAreas(image, opened.faces()), {}, originals};
   measured.points.leftCols<2>() = image;
   measured.flatAreas = measured.areas;
-  return measureImage(opened, measured, target);
+  Distortion result = measureImage(opened, measured, target);
+  measureSpreads(result);
+  return result;
 }
 
 double transportCost(const Points2& from, const Points2& to, const Eigen::VectorXd& masses) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "Core/distortion/Spread.h"
 #include "Core/mesh/TriangleMesh.h"
 
 namespace authalic {
@@ -19,7 +20,9 @@ struct DistortionArrays {
   Eigen::VectorXd logAreaRatio;          ///< m: log2 |r_t|; NaN where r_t is 0 or NaN
   Eigen::VectorXd sigmaMax, sigmaMin;    ///< m: σ1 and signed σ2; NaN on faces without surface area
   Eigen::VectorXd angleDistortion;       ///< m: σ1/|σ2| + |σ2|/σ1, ideal 2; NaN where undefined
-  Eigen::VectorXcd beltrami;             ///< m: μ = f_z̄/f_z; |μ| > 1 on folded faces; NaN where undefined
+  /// m: Beltrami coefficient μ = f_z̄/f_z, z along the first edge of the face (its modulus does not depend on that,
+  /// its argument does); |μ| > 1 on folded faces; NaN where undefined.
+  Eigen::VectorXcd beltrami;
   Eigen::MatrixX3d cornerLogAngleRatio;  ///< m×3: η = ln(image angle / surface angle)
   Eigen::MatrixX3d cornerAngleError;     ///< m×3: image angle − surface angle, degrees
   Eigen::VectorXd vertexLogAreaRatio;    ///< n: p_i = ln(image third-star share / target third-star share)
@@ -39,6 +42,9 @@ struct DistortionSummary {
   double meanAngleError = 0;      ///< mean |image angle − surface angle| over corners, degrees
   double meanQuasiConformal = 0;  ///< mean K = σ1/|σ2| over faces
   double meanBeltrami = 0;        ///< mean (K − 1)/(K + 1) over faces
+  Spread angleError;              ///< of |image angle − surface angle| over corners, degrees
+  Spread quasiConformal;          ///< of K over faces
+  Spread beltrami;                ///< of (K − 1)/(K + 1) over faces: |μ|, orientation left out
   int flippedFaces = 0;           ///< faces folded against the majority, or without area, in the image
   int degenerateFaces = 0;        ///< faces without surface area, left out of the angle sums
   bool finite = true;             ///< every image coordinate is finite

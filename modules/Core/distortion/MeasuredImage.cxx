@@ -216,4 +216,17 @@ Distortion measureImage(const TriangleMesh& surface, const MeasuredImage& image,
   return result;
 }
 
+void measureSpreads(Distortion& distortion) {
+  const DistortionArrays& arrays = distortion.arrays;
+  Eigen::VectorXd dilatation(arrays.sigmaMax.size());
+  for (Eigen::Index f = 0; f < dilatation.size(); ++f) {
+    const double smaller = std::abs(arrays.sigmaMin[f]);
+    dilatation[f] = smaller > 0 ? arrays.sigmaMax[f] / smaller : kNaN;
+  }
+  const Eigen::VectorXd errors = arrays.cornerAngleError.reshaped().cwiseAbs();
+  distortion.summary.angleError = spreadOf(errors);
+  distortion.summary.quasiConformal = spreadOf(dilatation);
+  distortion.summary.beltrami = spreadOf(((dilatation.array() - 1) / (dilatation.array() + 1)).matrix());
+}
+
 }  // namespace authalic

@@ -27,4 +27,7 @@ void requireImagePerVertex(const TriangleMesh& surface, Eigen::Index imagePoints
 [[nodiscard]] Distortion measureImage(const TriangleMesh& surface, const MeasuredImage& image,
                                       const Eigen::VectorXd& target);
 
+/// Fills angleError, quasiConformal and beltrami of the summary from the arrays.
+void measureSpreads(Distortion& distortion);
+
 }  // namespace authalic

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "Core/base/Error.h"
 #include "Core/distortion/MeasuredImage.h"
 #include "Core/geometry/SphericalAreas.h"
 
@@ -50,6 +51,20 @@ Eigen::VectorXd signedDeterminants(const Points3& image, const Faces& faces) {
 
 }  // namespace
 
+Points3 ontoUnitSphere(const Points3& image) {
+  const Eigen::VectorXd radii = image.rowwise().norm();
+  const double mean = radii.size() > 0 ? radii.mean() : 0;
+  for (Eigen::Index i = 0; i < radii.size(); ++i) {
+    if (std::abs(radii[i] - mean) <= 1e-3 * mean && mean > 0) continue;
+    throw GeometryError(
+        "An image in the plane z = 0, or on a sphere around 0 (to 1 in 1,000), is required, but point " +
+        std::to_string(i) + " lies at distance " + std::to_string(radii[i]) + " from 0 and all points at " +
+        std::to_string(mean) + " on average; move the sphere's centre " +
+        "to 0, or take an image in the plane.");
+  }
+  return image.rowwise().normalized();
+}
+
 SphericalDistortion measureSphericalDistortion(const TriangleMesh& surface, const Points3& image,
                                                const Eigen::VectorXd& target) {
   requireImagePerVertex(surface, image.rows());
@@ -58,10 +73,14 @@ SphericalDistortion measureSphericalDistortion(const TriangleMesh& surface, cons
   const Eigen::VectorXd solidAngles = signedSolidAngles(onSphere, surface.faces());
   const Eigen::VectorXd flatAreas = signedChordAreas(onSphere, surface.faces());
   Distortion distortion = measureImage(surface, {onSphere, solidAngles, flatAreas}, target);
+  measureSpreads(distortion);
   SphericalDistortion result;
   result.arrays = std::move(distortion.arrays);
   result.summary = distortion.summary;
   result.flatSummary = measureImage(surface, {onSphere, flatAreas, flatAreas}, target).summary;
+  result.flatSummary.angleError = result.summary.angleError;  // of flat triangles in both
+  result.flatSummary.quasiConformal = result.summary.quasiConformal;
+  result.flatSummary.beltrami = result.summary.beltrami;
   result.sphericalAngleError = meanSphericalAngleError(surface, onSphere);
   const double sign = majoritySign(solidAngles);
   result.coverage = sign * solidAngles.sum() / (4 * M_PI);

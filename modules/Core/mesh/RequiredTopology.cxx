@@ -2,8 +2,10 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "Core/base/Error.h"
+#include "Core/mesh/HandleLoop.h"
 #include "Core/mesh/MeshReport.h"
 
 namespace authalic {
@@ -16,6 +18,14 @@ std::string at(const Eigen::Vector3d& place) {
   return text.str();
 }
 
+/// A loop of edges around or through a handle, in words.
+std::string loopOf(const TriangleMesh& mesh, const SurfaceTopology& topology) {
+  const std::vector<int> loop = handleLoop(mesh, topology);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int vertex : loop) middle += mesh.point(vertex) / static_cast<double>(loop.size());
+  return "a loop of " + std::to_string(loop.size()) + " edges around " + at(middle);
+}
+
 std::string placesOf(const std::vector<BoundaryLoopReport>& loops) {
   std::string places;
   for (const BoundaryLoopReport& loop : loops) places += (places.empty() ? "" : ", ") + at(loop.place);
@@ -23,7 +33,8 @@ std::string placesOf(const std::vector<BoundaryLoopReport>& loops) {
 }
 
 /// Where the first reason not to be such a surface lies and what would help.
-std::string obstacle(const MeshReport& report, const RequiredTopology& required) {
+std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, const MeshReport& report,
+                     const RequiredTopology& required) {
   const auto first = [](const std::vector<MeshDefect>& defects, const std::string& what, const std::string& advice) {
     return what + " at " + at(defects.front().place) + "; " + advice;
   };
@@ -57,7 +68,8 @@ std::string obstacle(const MeshReport& report, const RequiredTopology& required)
     return "too few handles (genus " + std::to_string(report.genus) + "); take a method for this genus";
   }
   if (report.genus != required.genus)
-    return "handles (genus " + std::to_string(report.genus) + "); cut or repair them first";
+    return "handles (genus " + std::to_string(report.genus) + "), one of them along " + loopOf(mesh, topology) +
+           "; cut or repair them first";
   return {};
 }
 
@@ -71,7 +83,7 @@ void requireTopology(const TriangleMesh& mesh, const SurfaceTopology& topology, 
   if (fits) return;
   const MeshReport report = inspect(mesh, topology);
   throw TopologyError(std::string(required.words) + ", but the surface has " + report.summary() + ": found " +
-                      obstacle(report, required) + ".");
+                      obstacle(mesh, topology, report, required) + ".");
 }
 
 }  // namespace authalic

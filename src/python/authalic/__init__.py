@@ -17,7 +17,7 @@ Functions take and return numpy arrays:
     failures   Error: InvalidArgument, SurfaceError, SolverError, FormatError, Cancelled, NotConverged;
                AuthalicWarning: NotConvergedWarning
 
-They run the VTK classes of this package (vtkDiscreteLieFlow ...), which join any VTK pipeline by themselves;
+They run the VTK classes of this package (vtkAuthalicMap ...), which join any VTK pipeline by themselves;
 help() shows their ports, arrays and options with units and defaults. Coordinates are scanner RAS in mm.
 """
 from . import _classes

@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere", "annulus" or "holes" (a disk with holes)."""
+    topology of surface that it takes: "disk", "sphere", "torus" or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -30,14 +30,20 @@ METHODS: dict[str, Method] = {
     "tutte": Method("vtkBarycentricMap", {"method": "tutte"}),
     "harmonic": Method("vtkBarycentricMap", {"method": "harmonic"}),
     "mean-value": Method("vtkBarycentricMap", {"method": "mean-value"}),
+    "authalic": Method("vtkAuthalicMap"),
+    "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
+    "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
+    "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
+    "lie-flow": Method("vtkDiscreteLieFlow"),
+    "lie-advection": Method("vtkLieAdvection"),
+    "riemann": Method("vtkRiemannMap"),
+    "yamabe": Method("vtkYamabeMap"),
     "lscm": Method("vtkLeastSquaresConformalMap"),
     "slim": Method("vtkSymmetricDirichletMap"),
-    "yamabe": Method("vtkYamabeMap"),
-    "riemann": Method("vtkRiemannMap"),
     "annulus": Method("vtkAnnulusMap", surface="annulus"),
-    "circle-domain": Method("vtkCircleDomainMap", surface="holes"),
-    "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="holes"),
-    "lie-flow": Method("vtkDiscreteLieFlow"),
+    "circle-domain": Method("vtkCircleDomainMap", surface="annulus"),
+    "sphere": Method("vtkSphericalConformalMap", surface="sphere"),
+    "welding": Method("vtkSphericalConformalMap", {"initial_method": "welding"}, surface="sphere"),
 }
 
 
@@ -46,16 +52,15 @@ class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
     image         (n, 2) in the plane, or (n, 3) on the sphere
-    points, faces the surface that was mapped, in its own order
+    points, faces the surface that was mapped, in its own order; cut open for a torus (point_arrays["OriginalPointIds"])
     status        "converged", "not-converged", "stalled" or "cancelled"
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
     metrics       {name: number}: area_distortion, angle_distortion (ideal 2), flipped_faces ...
-    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped
+    face_arrays   with AreaDistortion (log2 of image share / target share), AngleDistortion, Flipped, and
+                  BeltramiCoefficient (m, 2)
     point_arrays  with VertexAreaDistortion (log2)
     report        everything that the filter reports: options, seconds, topology, version ...
-    refinement    with refine=True: the surface cut along the edges of the flow's triangulation, as a Surface whose
-                  points are the image (0 in z) and whose point array OriginalPoints is the surface; else None
     """
     image: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros((0, 2)))
     status: str = "not-run"
@@ -63,7 +68,6 @@ class SurfaceMap(Surface):
     residuals: np.ndarray = dataclasses.field(default_factory=lambda: np.zeros(0))
     metrics: dict[str, Any] = dataclasses.field(default_factory=dict)
     report: dict[str, Any] = dataclasses.field(default_factory=dict)
-    refinement: Optional[Surface] = None
 
     @property
     def converged(self) -> bool:
@@ -78,12 +82,10 @@ class SurfaceMap(Surface):
         report = json.loads(algorithm.GetReport())
         drawn = Surface.from_vtk(algorithm.GetOutput())
         planar = not drawn.points[:, 2].any()
-        refined = hasattr(algorithm, "GetRefine") and algorithm.GetRefine()
         arrays = dict(drawn.point_arrays)
         return cls(arrays.pop("OriginalPoints"), drawn.faces, arrays, drawn.face_arrays, drawn.fields,
                    drawn.points[:, :2].copy() if planar else drawn.points, report["status"], report["iterations"],
-                   np.array(report["residual_history"], dtype=float), report["metrics"], report,
-                   Surface.from_vtk(algorithm.GetOutput(1)) if refined else None)
+                   np.array(report["residual_history"], dtype=float), report["metrics"], report)
 
     def to_vtk(self) -> Any:
         """The map as the filters know it: points are the image, the point array OriginalPoints is the surface."""
@@ -100,21 +102,20 @@ class SurfaceMap(Surface):
 
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
-    hidden = ("domain", "aspect", "measure_array_name", "curvature_array_name", "initial_method", "output_mode")
+    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "output_mode")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
 
 def flatten(points: Any,
             faces: Any = None,
-            method: str = "lie-flow",
+            method: str = "authalic",
             domain: Any = None,
             measure: Any = None,
             initial: Any = None,
             tolerance: Optional[float] = None,
             max_iterations: Optional[int] = None,
             *,
-            curvature: Any = None,
             hole_areas: Any = None,
             threads: int = 0,
             progress: Progress = None,
@@ -123,29 +124,25 @@ def flatten(points: Any,
     """Maps a surface; every vertex gets a place in the domain.
 
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
-                The methods below need a topological disk: connected, manifold, one boundary loop (see cut_to_disk);
-                "annulus" needs two loops, "circle-domain" and "authalic-holes" one or more
-    method      "lie-flow": preserves areas, or gives every region the share that `measure` asks for;
+                Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
+    method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
+                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
+                "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps;
-                "riemann": conformal, onto the unit disk; "yamabe": conformal, to a round disk, or with `curvature`
-                to the domain whose boundary turns as it says; "lscm": conformal, with a free boundary;
-                "authalic-holes": preserves areas exactly at every vertex, onto the unit disk without round holes;
-                "annulus": conformal, two loops onto a ring or a periodic rectangle, which is open along a cut: points
-                and faces of the result are those of the opened surface, with OriginalPointIds; "circle-domain":
-                conformal, onto the unit disk without round holes;
-                "slim": as isometric as can be, boundary="free" or "fixed"; methods() has all with their options
+                "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
+                "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
+                a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
+                with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2). "slim" fixes its boundary there; its None is "free": the boundary moves.
-                "annulus" has "annulus" (None) and "rectangle"
+                corners of a polygon, (k, 2); "sphere" or "torus" makes "authalic-sphere" of "authalic" …
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
     initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
-                same domain
+                same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
-    curvature   of "yamabe": the angle by which the boundary turns at each vertex (n), radians, 0 at inner vertices,
-                2 pi in all, or the name of such an array; None = a circle
     hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest
                 vertex ids; None = of the cones that close them
     threads     0 = every core; the result does not depend on it
@@ -166,12 +163,13 @@ def flatten(points: Any,
         raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
     if method not in METHODS:
         raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
+    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus
+        method, domain = f"{method}-{domain}", None
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
     _set_initial(algorithm, method, mesh, initial)
-    _set_curvature(algorithm, method, mesh, curvature)
     _set_hole_areas(algorithm, method, hole_areas)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
@@ -201,10 +199,6 @@ def _set_domain(algorithm, method, domain):
         return
     if not hasattr(algorithm, "SetDomain"):
         raise InvalidArgument(f"Method {method} has one domain only; leave domain out.")
-    if hasattr(algorithm, "SetBoundary"):
-        _filters.configure(algorithm, boundary="free" if domain == "free" else "fixed")
-        if domain == "free":
-            return
     if isinstance(domain, str):
         if domain in ("rectangle", "polygon") and hasattr(algorithm, "SetAspect"):
             raise InvalidArgument('domain must be ("rectangle", aspect) or the corners of a polygon, (k, 2).')
@@ -237,19 +231,6 @@ def _set_measure(algorithm, method, mesh, measure):
     algorithm.SetMeasureArrayName("Measure")
 
 
-def _set_curvature(algorithm, method, mesh, curvature):
-    if curvature is None:
-        return
-    if not hasattr(algorithm, "SetCurvatureArrayName"):
-        raise InvalidArgument(f"Method {method} takes no curvature; leave it out.")
-    if isinstance(curvature, str):
-        return algorithm.SetCurvatureArrayName(curvature)
-    vertices = mesh.GetNumberOfPoints()
-    _arrays.add_arrays(mesh.GetPointData(), {"TargetCurvature": _arrays.numbers(curvature, "curvature", (vertices,))},
-                       vertices, "vertices")
-    algorithm.SetCurvatureArrayName("TargetCurvature")
-
-
 def _set_hole_areas(algorithm, method, hole_areas):
     if hole_areas is None:
         return
@@ -262,6 +243,8 @@ def _set_hole_areas(algorithm, method, hole_areas):
 def _set_initial(algorithm, method, mesh, initial):
     if initial is None:
         return
+    if "initial_method" in METHODS[method].settings:
+        raise InvalidArgument(f"Method {method} has a start of its own; leave initial out.")
     if isinstance(initial, str) and hasattr(algorithm, "SetInitialMethod"):
         return _filters.configure(algorithm, initial_method=initial)
     if algorithm.GetNumberOfInputPorts() < 2:
@@ -281,21 +264,23 @@ class Distortion:
     """How much a map changes areas and angles.
 
     metrics       {name: number} of the map as a whole, named as in SurfaceMap.metrics
-    face_arrays   AreaDistortion, AngleDistortion, Flipped, Beltrami (m, 2), SigmaMax, SigmaMin
+    face_arrays   AreaDistortion, AngleDistortion, BeltramiCoefficient (m, 2), Flipped, SigmaMax, SigmaMin
     point_arrays  VertexAreaDistortion
+    histograms    {name: (bins + 3, 3)}: lower edge, upper edge and count; then what is below, above, undefined
     """
     metrics: dict[str, Any]
     face_arrays: dict[str, np.ndarray]
     point_arrays: dict[str, np.ndarray]
+    histograms: dict[str, np.ndarray]
 
     def __repr__(self) -> str:
         return f"Distortion({self.metrics})"
 
 
 def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Optional[Any] = None) -> Distortion:
-    """Metrics of any map to the plane, ours or another program's.
+    """Metrics of any map to the plane or to a sphere around 0, ours or another program's.
 
-    image          (n, 2), or a SurfaceMap's
+    image          (n, 2), (n, 3), or a SurfaceMap's
     points, faces  the surface, or one Surface or vtkPolyData
     measure        (m,) target measures of the faces, any scale; None = their areas on the surface
 
@@ -320,6 +305,7 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
     _filters.warn(_filters.run(algorithm)[1])
     done = Surface.from_vtk(algorithm.GetOutput())
     cells = {name: done.face_arrays[name] for name in
-             ("AreaDistortion", "AngleDistortion", "Flipped", "Beltrami", "SigmaMax", "SigmaMin")}
+             ("AreaDistortion", "AngleDistortion", "Flipped", "BeltramiCoefficient", "SigmaMax", "SigmaMin")}
     return Distortion(json.loads(algorithm.GetReport()), cells,
-                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]})
+                      {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]},
+                      {name: values for name, values in done.fields.items() if name.endswith("Histogram")})

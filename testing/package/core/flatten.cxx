@@ -1,8 +1,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "Core/authalic/DiscreteLieFlow.h"
-#include "Core/initial/BarycentricMap.h"
+#include "Core/authalic/AuthalicMap.h"
 
 int main() {
   const int n = 41;  // points per side of a bumpy sheet, mm
@@ -15,10 +14,8 @@ int main() {
     faces.row(f++) << q + 1, q + n + 1, q + n;
   }
   const authalic::DiskMesh disk(authalic::TriangleMesh(points, faces));  // throws unless it is a topological disk
-  const authalic::BarycentricMapResult start = authalic::barycentricMap(disk);
-  const authalic::DiscreteLieFlowResult flat =
-      authalic::discreteLieFlow(disk, start.image, authalic::TargetMeasure(disk.mesh()));
-  std::cout << authalic::statusName(flat.status) << ", residual " << flat.residual << ", " << flat.flippedFaces
+  const authalic::AuthalicMapResult flat = authalic::authalicMap(disk, authalic::TargetMeasure(disk.mesh()));
+  std::cout << authalic::statusName(flat.status) << ", residual " << flat.faceResidual << ", " << flat.flippedFaces
             << " folded faces\n";
   return flat.status == authalic::Status::Converged ? 0 : 4;
 }

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include <vtkDiscreteLieFlow.h>
+#include <vtkAuthalicMap.h>
 #include <vtkNew.h>
 #include <vtkSurfaceFileReader.h>
 #include <vtkSurfaceFileWriter.h>
@@ -12,12 +12,12 @@ int main(int argc, char** argv) {
   }
   vtkNew<vtkSurfaceFileReader> reader;
   reader->SetFileName(argv[1]);
-  vtkNew<vtkDiscreteLieFlow> flow;
-  flow->SetInputConnection(reader->GetOutputPort());
+  vtkNew<vtkAuthalicMap> exact;
+  exact->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkSurfaceFileWriter> writer;
-  writer->SetInputConnection(flow->GetOutputPort());
+  writer->SetInputConnection(exact->GetOutputPort());
   writer->SetFileName(argv[2]);
   const int written = writer->Write();  // runs the pipeline
-  std::cout << flow->GetReport() << '\n';
-  return written ? flow->GetErrorKind() : writer->GetErrorKind();
+  std::cout << exact->GetReport() << '\n';
+  return written ? exact->GetErrorKind() : writer->GetErrorKind();
 }

@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/distortion/Distortion.h"
+#include "support/OffFile.h"
+#include "support/SharedData.h"
+
+using namespace authalic;
+using namespace authalic::testing;
+
+namespace {
+
+class AuthalicOnScansSlow : public ::testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(AuthalicOnScansSlow, IsExactAtVerticesAndNearlySoOnFaces) {
+  const std::string path = sharedData(std::string("meshes/open_disk/") + GetParam() + ".off");
+  AUTHALIC_NEEDS(path);
+  const DiskMesh disk(readOff(path));
+  const AuthalicMapResult result = authalicMap(disk, TargetMeasure(disk.mesh()));
+  EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << ' ' << result.vertexResidual;
+  const DistortionSummary summary = measureDistortion(disk.mesh(), result.image).summary;
+  EXPECT_EQ(summary.flippedFaces, 0);
+  EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
+  EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
+  EXPECT_LT(summary.faceMeanAbsLog, 5e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Disk, AuthalicOnScansSlow,
+                         ::testing::Values("chinese_lion", "human_face", "camelhead", "human_brain"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
