@@ -30,6 +30,7 @@ MapReport describeAuthalicMap(const Result& result, vtkPolyData* map) {
 template MapReport describeAuthalicMap(const AuthalicMapResult&, vtkPolyData*);
 template MapReport describeAuthalicMap(const SphericalAuthalicMapResult&, vtkPolyData*);
 template MapReport describeAuthalicMap(const ToroidalAuthalicMapResult&, vtkPolyData*);
+template MapReport describeAuthalicMap(const CircleDomainAuthalicMapResult&, vtkPolyData*);
 
 void addAuthalicOptions(Json& options, const AuthalicMapOptions& values) {
   options.set("tolerance", values.tolerance);

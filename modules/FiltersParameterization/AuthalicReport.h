@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/CircleDomainAuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/authalic/ToroidalAuthalicMap.h"
 #include "Reports/MapReport.h"
@@ -12,7 +13,8 @@ class vtkPolyData;
 namespace authalic {
 
 /// Method, status, residuals, seconds, and the members and field data FaceResidual and VertexResidual.
-/// @tparam Result  AuthalicMapResult, SphericalAuthalicMapResult or ToroidalAuthalicMapResult
+/// @tparam Result  AuthalicMapResult, SphericalAuthalicMapResult, ToroidalAuthalicMapResult or
+///                 CircleDomainAuthalicMapResult
 template <class Result>
 [[nodiscard]] MapReport describeAuthalicMap(const Result& result, vtkPolyData* map);
 

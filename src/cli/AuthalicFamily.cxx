@@ -1,4 +1,5 @@
 #include <vtkAuthalicMap.h>
+#include <vtkCircleDomainAuthalicMap.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalAuthalicMap.h>
@@ -19,7 +20,9 @@ class AuthalicFamily : public MapFamily {
     return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and "
            "without a fold; a "
            "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to "
-           "--domain sphere, a torus to --domain torus (flat, cut open, with OriginalPointIds).";
+           "--domain sphere, a torus to --domain torus (flat, cut open, with OriginalPointIds), a "
+           "surface with holes to --domain circle-domain (unit disk without round holes) or annulus (one hole, in "
+           "the middle).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -34,10 +37,19 @@ class AuthalicFamily : public MapFamily {
   void declare(CLI::App* verb) override {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
+    own(verb->add_option(
+            "--hole-areas", holeAreas_,
+            "--domain circle-domain and annulus: area of every hole but the longest loop, mm^2, > 0, in the "
+            "order of the loops' smallest vertex ids; by default, of the cones that close them."))
+        ->type_name("AREA...");
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
+    if (!holeAreas_.empty()) {
+      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
+    }
     if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalAuthalicMap>::New(), shared, session);
     if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
@@ -46,6 +58,13 @@ class AuthalicFamily : public MapFamily {
   }
 
  private:
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
+    const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
+    map->SetConcentric(shared.domain == "annulus");
+    for (const double area : holeAreas_) map->AddHoleArea(area);
+    return configured(map, shared, session);
+  }
+
   template <class Filter>
   vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
                                      const Session& session) const {
@@ -66,6 +85,7 @@ class AuthalicFamily : public MapFamily {
 
   vtkNew<vtkAuthalicMap> defaults_;
   std::optional<double> vertexTolerance_;
+  std::vector<double> holeAreas_;
 };
 
 }  // namespace

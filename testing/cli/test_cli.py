@@ -364,6 +364,17 @@ class Results(CommandLine):
         for option in ("--tolerance", "--vertex-tolerance"):
             self.fails(2, "map", "authalic", disk, "-o", "m.vtp", option, 0)
 
+    def test_holes_have_their_areas_and_vertices_theirs(self):
+        tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus", "--hole-areas", 150, "--tolerance",
+                      0.05, "--report", "h.json")
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["hole_areas"]), ("converged", [150]))
+        self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
+        self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
+        self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
+                                                  "--hole-areas", 1, 2))
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]

@@ -47,6 +47,8 @@ CASES = [
     ("circles", "CircleDomainMap", TUBE, {"Centre": 1, "CentreId": 300}),
     ("koebe", "CircleDomainMap", TUBE, {"Road": 1, "RoundnessTolerance": 1e-3}),
     ("ring", "AnnulusMap", TUBE, {}),
+    ("concentric", "CircleDomainAuthalicMap", TUBE,
+     {"Tolerance": 0.05, "Concentric": True, "OuterVertex": -1, "HoleArea": [(150.0,)]}),
     ("rectangle2", "AnnulusMap", TUBE, {"Domain": 1}),
     ("exact", "AuthalicMap", DISK, {"Tolerance": 0.02}),
     ("exactsquare", "AuthalicMap", DISK + [("InitialMap", "square", 0)], {"Domain": 1}),

@@ -154,6 +154,16 @@ class Results(unittest.TestCase):
         self.assertTrue(np.array_equal(images[0], images[1]) and np.array_equal(images[1], images[2]))
         self.assertFalse(np.array_equal(images[0], authalic.flatten(points, faces).image))
 
+    def test_holes_get_the_areas_that_they_are_given(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], concentric=True, tolerance=0.05)
+        self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0))
+        self.assertLess(result.metrics["vertex_log_area_ratio_max_abs"], 1e-9)
+        self.assertLess(result.report["hole_residual"], 1e-9)
+        self.assertEqual(result.report["hole_areas"], [150])
+        with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
+            authalic.flatten(tube, method="annulus", hole_areas=[150])
+
     def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
         points, faces = square_sheet(4)
         expected = authalic.flatten(points, faces, "mean-value").image

@@ -6,6 +6,7 @@
 
 #include <vtkAnnulusMap.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCircleDomainAuthalicMap.h>
 #include <vtkCircleDomainMap.h>
 #include <vtkConformalFlowAlgorithm.h>
 #include <vtkDataArray.h>
@@ -16,6 +17,7 @@
 #include <vtkPolyData.h>
 
 #include "Conversion.h"
+#include "Core/authalic/CircleDomainAuthalicMap.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "support/HoledMeshes.h"
@@ -216,4 +218,33 @@ TEST(HoledFilters, WarnAndGiveTheBestMapWhenTheyMayNotGoOn) {
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::NOT_CONVERGED);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), mesh.vertexCount());
+}
+
+TEST(CircleDomainAuthalicMapFilter, GivesTheImageOfCoreWithEveryOption) {
+  const PolyAnnulusMesh surface(threeLoops());
+  const auto filter = on<vtkCircleDomainAuthalicMap>(surface.mesh());
+  filter->SetTolerance(0.1);
+  filter->SetVertexTolerance(1e-8);
+  filter->SetMaximumIterations(60);
+  filter->AddHoleArea(0.15);
+  filter->AddHoleArea(0.1);
+  filter->Update();
+  CircleDomainAuthalicMapOptions options;
+  options.solve.tolerance = 0.1;
+  options.solve.vertexTolerance = 1e-8;
+  options.solve.maxIterations = 60;
+  options.holeAreas = {0.15, 0.1};
+  const auto core = circleDomainAuthalicMap(surface, TargetMeasure(surface.mesh()), options);
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(filter->GetOutput()), core.image);
+  EXPECT_EQ(field(filter->GetOutput(), "HoleAreas", 1), 0.1);
+  EXPECT_LT(field(filter->GetOutput(), "HoleResidual"), 1e-12);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(field(filter->GetOutput(), "Circles", k, 2), core.circles[std::size_t(k)].radius);
+  filter->ClearHoleAreas();
+  filter->AddHoleArea(1);
+  EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "each of the 2 holes");
+  const auto concentric = on<vtkCircleDomainAuthalicMap>(threeLoops());
+  concentric->ConcentricOn();
+  EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
 }

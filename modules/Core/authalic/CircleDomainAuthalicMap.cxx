@@ -5,15 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/CircleDomainAreas.h"
 #include "Core/base/Error.h"
+#include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/Unfold.h"
+#include "Core/topology/LoopLength.h"
 
 namespace authalic {
 namespace {
@@ -32,8 +35,35 @@ double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
   return area;
 }
 
+// The start before holes have their areas.
+struct ConformalStart {
+  Status status = Status::NotRun;
+  Points2 image;
+  std::vector<FittedCircle> circles;  // of every loop
+  int outerLoop = 0, pockets = 0;
+};
+
+ConformalStart conformalStart(const PolyAnnulusMesh& surface, const CircleDomainAuthalicMapOptions& options,
+                              const Execution& execution) {
+  if (!options.concentric) {
+    CircleDomainOptions round;
+    round.outerLoop = options.outerLoop;
+    CircleDomainResult map = circleDomainMap(surface, round, execution);
+    return {map.status, std::move(map.image), std::move(map.circles), map.outerLoop, map.pockets};
+  }
+  AnnulusMapOptions ring;
+  ring.outerLoop = options.outerLoop;
+  AnnulusMapResult map = annulusMap(AnnulusMesh(surface.mesh()), ring, execution);
+  const int outer = options.outerLoop >= 0 ? options.outerLoop
+                                           : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
+  std::vector<FittedCircle> circles(2);
+  circles[static_cast<std::size_t>(outer)].radius = 1;
+  circles[static_cast<std::size_t>(1 - outer)].radius = map.innerRadius;
+  return {map.status, std::move(map.image), std::move(circles), outer, map.pockets};
+}
+
 // Outer loop first; holes in the order of the surface's loops.
-std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const CircleDomainResult& conformal,
+std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const ConformalStart& conformal,
                                   const std::vector<double>& holeAreas) {
   double whole = faceAreas(surface.mesh()).sum();
   for (const double area : holeAreas) whole += area;
@@ -93,9 +123,58 @@ void stretchHoles(const CircleDomainAreas& areas, const std::vector<LoopOnCircle
   }
 }
 
-Points2 makeStart(const PolyAnnulusMesh& surface, const CircleDomainAreas& areas,
-                  const std::vector<LoopOnCircle>& loops, Points2 image, const Execution& execution) {
-  stretchHoles(areas, loops, image);
+// Share of the target within some radii about the middle, as knots of a piecewise linear function of ln r.
+struct RadialShares {
+  std::vector<double> logRadii, shares;
+
+  RadialShares(const Eigen::VectorXd& radii, const Eigen::VectorXd& target) {
+    std::vector<int> order(static_cast<std::size_t>(radii.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return radii[a] < radii[b]; });
+    const auto stride = static_cast<std::size_t>(std::sqrt(static_cast<double>(order.size())));
+    double inside = 0;
+    for (std::size_t i = 0, next = 0; i < order.size();) {
+      std::size_t end = i;
+      double same = 0;  // vertices of one circle are inside it by half
+      for (; end < order.size() && radii[order[end]] <= radii[order[i]] * (1 + 1e-9); ++end) same += target[order[end]];
+      const bool first = i == 0, last = end == order.size();
+      if (first || last || i >= next) {
+        logRadii.push_back(std::log(radii[order[i]]));
+        shares.push_back(first ? 0 : last ? 1 : inside + 0.5 * same);
+        next = i + stride;
+      }
+      inside += same;
+      i = end;
+    }
+  }
+
+  [[nodiscard]] double at(double radius) const {
+    const double x = std::log(radius);
+    const auto above = std::upper_bound(logRadii.begin() + 1, logRadii.end() - 1, x) - logRadii.begin();
+    const auto k = static_cast<std::size_t>(above);
+    const double t = (x - logRadii[k - 1]) / (logRadii[k] - logRadii[k - 1]);
+    return shares[k - 1] + std::min(std::max(t, 0.0), 1.0) * (shares[k] - shares[k - 1]);
+  }
+};
+
+// Every circle around the middle to the radius at which it has its share of the target inside.
+void spreadRings(const TargetMeasure& target, const std::vector<LoopOnCircle>& loops, double inner, Points2& image) {
+  const Eigen::VectorXd radii = image.rowwise().norm();
+  const RadialShares within(radii, target.vertices());
+  const double hole = inner * inner;
+  for (Eigen::Index v = 0; v < image.rows(); ++v) {
+    image.row(v) *= std::sqrt(hole + (1 - hole) * within.at(radii[v])) / radii[v];
+  }
+  for (const LoopOnCircle& loop : loops) {
+    const double onto = &loop == &loops.front() ? 1 : inner;
+    for (const int v : loop.vertices) image.row(v) *= onto / image.row(v).norm();
+  }
+}
+
+Points2 makeStart(const PolyAnnulusMesh& surface, const TargetMeasure& target, const CircleDomainAreas& areas,
+                  const std::vector<LoopOnCircle>& loops, bool concentric, Points2 image, const Execution& execution) {
+  if (concentric) spreadRings(target, loops, areas.radius(image, 1), image);
+  else stretchHoles(areas, loops, image);
   UnfoldResult unfolded = unfold(surface.topology(), std::move(image), execution);
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     throw GeometryError("A start that can be unfolded is required, but " + std::to_string(unfolded.flippedFaces) +
@@ -129,6 +208,10 @@ void takeOver(AreaSolveResult&& solved, CircleDomainAuthalicMapResult& result) {
 void CircleDomainAuthalicMapOptions::validate(const PolyAnnulusMesh& surface) const {
   solve.validate();
   const std::size_t holes = surface.loops().size() - 1;
+  if (concentric && holes != 1) {
+    throw TopologyError("A surface with 2 boundary loops is required for a concentric map, but it has " +
+                        std::to_string(holes + 1) + "; take the domain circle-domain.");
+  }
   if (!holeAreas.empty() && holeAreas.size() != holes) {
     throw InvalidArgument("One area for each of the " + std::to_string(holes) + " holes is required, but there are " +
                           std::to_string(holeAreas.size()) + ".");
@@ -146,9 +229,7 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   options.validate(surface);
   requireTargetOf(surface.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
-  CircleDomainOptions round;
-  round.outerLoop = options.outerLoop;
-  const CircleDomainResult conformal = circleDomainMap(surface, round, execution.part(0, 0.2));
+  const ConformalStart conformal = conformalStart(surface, options, execution.part(0, 0.2));
   CircleDomainAuthalicMapResult result;
   result.status = Status::Cancelled;
   if (conformal.status == Status::Cancelled) return result;
@@ -162,7 +243,8 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   }
   const std::vector<LoopOnCircle> loops = loopsOf(surface, conformal, result.holeAreas);
   const CircleDomainAreas areas(surface.mesh().faces(), loops, surface.mesh().vertexCount());
-  const Points2 start = makeStart(surface, areas, loops, conformal.image, execution.part(0.2, 0.3));
+  const Points2 start = makeStart(surface, target, areas, loops, options.concentric, conformal.image,
+                                  execution.part(0.2, 0.3));
   result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   takeOver(solveAreas(areas, target, start, options.solve, execution.part(0.3, 1)), result);
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());

@@ -12,6 +12,7 @@ namespace authalic {
 
 struct CircleDomainAuthalicMapOptions {
   AuthalicMapOptions solve;       ///< its domain is not read
+  bool concentric = false;        ///< two loops only: the hole is in the middle of the disk
   int outerLoop = -1;             ///< loop of PolyAnnulusMesh::loops() that becomes the unit circle; −1 = the longest
                                   ///< (mm)
   /// Areas of the holes, mm², one per loop but the outer one, in the order of loops(); what counts is their ratio to
@@ -44,7 +45,8 @@ struct CircleDomainAuthalicMapResult {
 /// With A the area of the surface, H_j those of the holes and T the area of the outer polygon, the
 /// polygon of hole j has the area T H_j / (A + Σ H) in every iterate (CircleDomainAreas): hole areas are exact, radii
 /// follow from them. The start is the conformal map (circleDomainMap); a radial map around every hole brings it to its
-/// area there.
+/// area there. With `concentric` the start is annulusMap, whose circles around the middle get the radii at which as
+/// much area lies inside as on the surface: a long tube, too, has a hole of the right size.
 ///
 /// Guarantees: loops on their circles to 1e-14, but for vertices of ears on inner loops, which lie in the hole
 /// (`pockets`); hole areas to 1e-12; when not converged, the best iterate with its residuals. No folded face when the

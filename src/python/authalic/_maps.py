@@ -33,6 +33,7 @@ METHODS: dict[str, Method] = {
     "authalic": Method("vtkAuthalicMap"),
     "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
+    "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
     "riemann": Method("vtkRiemannMap"),
@@ -115,6 +116,7 @@ def flatten(points: Any,
             tolerance: Optional[float] = None,
             max_iterations: Optional[int] = None,
             *,
+            hole_areas: Any = None,
             threads: int = 0,
             progress: Progress = None,
             on_not_converged: str = "warn",
@@ -125,6 +127,7 @@ def flatten(points: Any,
                 Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
                 "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
@@ -140,6 +143,8 @@ def flatten(points: Any,
                 same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
+    hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest
+                vertex ids; None = of the cones that close them
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
@@ -165,6 +170,7 @@ def flatten(points: Any,
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
     _set_initial(algorithm, method, mesh, initial)
+    _set_hole_areas(algorithm, method, hole_areas)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -223,6 +229,15 @@ def _set_measure(algorithm, method, mesh, measure):
     mesh.GetPointData().RemoveArray("Measure")
     _arrays.add_arrays(data, {"Measure": values}, len(values), "rows")
     algorithm.SetMeasureArrayName("Measure")
+
+
+def _set_hole_areas(algorithm, method, hole_areas):
+    if hole_areas is None:
+        return
+    if not hasattr(algorithm, "AddHoleArea"):
+        raise InvalidArgument(f"Method {method} takes no hole_areas; leave them out.")
+    for area in _arrays.numbers(hole_areas, "hole_areas", (None,)):
+        algorithm.AddHoleArea(area)
 
 
 def _set_initial(algorithm, method, mesh, initial):

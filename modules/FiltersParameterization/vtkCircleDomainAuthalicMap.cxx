@@ -1,0 +1,101 @@
+#include "vtkCircleDomainAuthalicMap.h"
+
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include "AuthalicReport.h"
+#include "BoundaryLoops.h"
+#include "Conversion.h"
+#include "Core/base/Error.h"
+#include "FieldArrays.h"
+#include "MapArrays.h"
+
+vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
+
+namespace {
+
+void addCircles(const std::vector<authalic::FittedCircle>& circles, vtkPolyData* map, authalic::MapReport& report) {
+  Eigen::MatrixXd table(static_cast<Eigen::Index>(circles.size()), 3);
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    table.row(static_cast<Eigen::Index>(k)) << circles[k].centre, circles[k].radius;
+    numbers.insert(numbers.end(), {circles[k].centre[0], circles[k].centre[1], circles[k].radius});
+  }
+  authalic::addField(map, "Circles", table);
+  report.more.set("circles", authalic::Json::arrayOf(numbers));
+}
+
+}  // namespace
+
+vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
+  const authalic::CircleDomainAuthalicMapOptions defaults;
+  this->Tolerance = defaults.solve.tolerance;
+  this->VertexTolerance = defaults.solve.vertexTolerance;
+  this->MaximumIterations = defaults.solve.maxIterations;
+  this->Concentric = defaults.concentric;
+}
+
+void vtkCircleDomainAuthalicMap::AddHoleArea(double area) {
+  this->HoleAreas.push_back(area);
+  this->Modified();
+}
+
+void vtkCircleDomainAuthalicMap::ClearHoleAreas() {
+  this->HoleAreas.clear();
+  this->Modified();
+}
+
+authalic::CircleDomainAuthalicMapOptions vtkCircleDomainAuthalicMap::Options(
+    const std::vector<std::vector<int>>& loops) const {
+  authalic::CircleDomainAuthalicMapOptions options;
+  options.solve.tolerance = this->Tolerance;
+  options.solve.vertexTolerance = this->VertexTolerance;
+  options.solve.maxIterations = this->MaximumIterations;
+  options.concentric = this->Concentric;
+  options.outerLoop = authalic::loopOf(loops, this->OuterVertex);
+  options.holeAreas = this->HoleAreas;
+  return options;
+}
+
+void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
+                                         const authalic::Execution& execution) {
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const authalic::PolyAnnulusMesh surface(authalic::toTriangleMesh(input));
+  const authalic::CircleDomainAuthalicMapOptions options = this->Options(surface.loops());
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, surface.mesh(), this->MeasureArrayName);
+  const authalic::CircleDomainAuthalicMapResult result =
+      authalic::circleDomainAuthalicMap(surface, target, options, execution);
+  if (result.image.rows() == 0) throw authalic::CancelledError();
+  const authalic::Distortion distortion =
+      authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
+  authalic::MapReport report = authalic::describeAuthalicMap(result, output);
+  addCircles(result.circles, output, report);
+  authalic::addField(output, "OuterLoop", result.outerLoop);
+  authalic::addField(output, "HoleAreas", result.holeAreas);
+  authalic::addField(output, "HoleResidual", result.holeResidual);
+  authalic::addField(output, "Pockets", result.pockets);
+  report.more.set("outer_loop", result.outerLoop);
+  report.more.set("hole_areas", authalic::Json::arrayOf(result.holeAreas));
+  report.more.set("hole_residual", result.holeResidual);
+  report.more.set("pockets", result.pockets);
+  report.metrics = distortion.summary;
+  report.topology = authalic::inspect(surface.mesh(), surface.topology());
+  report.options.set("domain", this->Concentric ? "annulus" : "circle-domain");
+  report.options.set("measure", this->MeasureArrayName);
+  report.options.set("outer_vertex", this->OuterVertex);
+  report.options.set("hole_areas", authalic::Json::arrayOf(this->HoleAreas));
+  authalic::addAuthalicOptions(report.options, options.solve);
+  this->Publish(output, report);
+}
+
+void vtkCircleDomainAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Concentric: " << this->Concentric << "\n";
+  os << indent << "OuterVertex: " << this->OuterVertex << "\n";
+  os << indent << "HoleAreas: " << this->HoleAreas.size() << "\n";
+}

@@ -1,0 +1,106 @@
+/**
+ * @class vtkCircleDomainAuthalicMap
+ * @brief Area-preserving, or measure-controlled, map of a surface with holes to the unit disk without round holes.
+ *
+ * As vtkAuthalicMap, for any number of boundary loops: every vertex star gets exactly its share, every hole exactly its
+ * area, every loop lies on a circle. Holes stay where the conformal map has their centres, or, with Concentric, the one
+ * hole is in the middle. Ears on inner loops bulge into the hole. Input 0 must be connected, oriented, manifold, of
+ * genus 0 and have a boundary. Ports and arrays: see vtkSurfaceMapAlgorithm; also
+ *
+ * | association | name | components, type | unit | meaning |
+ * |---|---|---|---|---|
+ * | field | FaceResidual | 1 double | | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
+ * | field | VertexResidual | 1 double | | max of the absolute logarithm of r over vertex stars |
+ * | field | Circles | 3 double each | | x, y of the centre and radius of every loop, in the order of the loops' smallest ids |
+ * | field | OuterLoop | 1 int | | which of them is the unit circle |
+ * | field | HoleAreas | 1 double each | mm² | prescribed, in the order of the other loops |
+ * | field | HoleResidual | 1 double | | max of the absolute logarithm of image share / prescribed share of holes |
+ * | field | Pockets | 1 int | | ears of the surface that lie in holes |
+ *
+ * See zou2011 and su2016 in docs/references.bib, and docs/methods/authalic-with-holes.md.
+ *
+ * @sa vtkCircleDomainMap vtkAuthalicMap
+ */
+#ifndef vtkCircleDomainAuthalicMap_h
+#define vtkCircleDomainAuthalicMap_h
+
+#include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
+#include "vtkSurfaceMapAlgorithm.h"
+
+#include <vector> // for hole areas
+
+namespace authalic
+{
+struct CircleDomainAuthalicMapOptions;
+}
+
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkCircleDomainAuthalicMap : public vtkSurfaceMapAlgorithm
+{
+public:
+  static vtkCircleDomainAuthalicMap* New();
+  vtkTypeMacro(vtkCircleDomainAuthalicMap, vtkSurfaceMapAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
+   * as below. */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /** Of max |ln r| over vertex stars, > 0. */
+  vtkSetMacro(VertexTolerance, double);
+  vtkGetMacro(VertexTolerance, double);
+  ///@}
+
+  ///@{
+  /** Most steps of both kinds, 0 or more. */
+  vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /** Whether the hole of a surface with two loops is in the middle of the disk. Default off. */
+  vtkSetMacro(Concentric, bool);
+  vtkGetMacro(Concentric, bool);
+  vtkBooleanMacro(Concentric, bool);
+  ///@}
+
+  ///@{
+  /** A vertex of the loop that becomes the unit circle; -1 = the longest loop. Default -1. */
+  vtkSetMacro(OuterVertex, int);
+  vtkGetMacro(OuterVertex, int);
+  ///@}
+
+  ///@{
+  /**
+   * Area of a hole, mm² > 0, as against the area of the surface; one for each loop but the outer one, in the order of
+   * their smallest vertex ids. None: the areas of the cones that close the holes on the surface. Default none.
+   */
+  void AddHoleArea(double area);
+  void ClearHoleAreas();
+  int GetNumberOfHoleAreas() const { return static_cast<int>(this->HoleAreas.size()); }
+  ///@}
+
+protected:
+  vtkCircleDomainAuthalicMap();
+  ~vtkCircleDomainAuthalicMap() override = default;
+
+  void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
+
+  double Tolerance;
+  double VertexTolerance;
+  int MaximumIterations;
+  bool Concentric;
+  int OuterVertex = -1;
+  std::vector<double> HoleAreas;
+
+private:
+  authalic::CircleDomainAuthalicMapOptions Options(const std::vector<std::vector<int>>& loops) const;
+
+  vtkCircleDomainAuthalicMap(const vtkCircleDomainAuthalicMap&) = delete;
+  void operator=(const vtkCircleDomainAuthalicMap&) = delete;
+};
+
+#endif
