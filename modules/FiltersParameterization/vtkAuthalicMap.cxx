@@ -1,5 +1,8 @@
 #include "vtkAuthalicMap.h"
 
+#include <string>
+#include <utility>
+
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -7,13 +10,34 @@
 
 #include "AuthalicReport.h"
 #include "Conversion.h"
+#include "Core/base/Error.h"
+#include "Core/conformal/RiemannMap.h"
+#include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
+#include "FieldArrays.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkAuthalicMap);
 
 static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkAuthalicMap::MEAN_VALUE);
+
+namespace {
+
+authalic::Points2 conformalImage(const authalic::DiskMesh& disk, int domain, const authalic::Execution& execution) {
+  if (domain != vtkAuthalicMap::DISK) {
+    throw authalic::InvalidArgument("The domain disk is required for a balance below 1; angles are kept there.");
+  }
+  authalic::RiemannMapResult riemann = authalic::riemannMap(disk, {}, execution);
+  if (riemann.status == authalic::Status::Cancelled) throw authalic::CancelledError();
+  if (riemann.flippedFaces > 0) {
+    throw authalic::GeometryError("A conformal map without folds is required for a balance below 1, but " +
+                                  std::to_string(riemann.flippedFaces) + " faces of it are folded.");
+  }
+  return std::move(riemann.image);
+}
+
+}  // namespace
 
 vtkAuthalicMap::vtkAuthalicMap() {
   this->SetNumberOfInputPorts(2);
@@ -51,16 +75,25 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   start.weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
   start.domain = options.domain;
   authalic::Points2 initial;  // empty: Core starts from Tutte's map
+  authalic::TargetMeasure wanted = target;
+  if (this->Balance < 1) {
+    initial = conformalImage(disk, this->Domain, execution.part(0, 0.1));
+    wanted = target.blended(disk.mesh(), authalic::signedFaceAreas(initial, disk.mesh().faces()), this->Balance);
+  }
   if (given) initial = authalic::toPlanarPoints(given);
-  else if (this->InitialMethod != TUTTE) initial = authalic::barycentricMap(disk, start, execution.part(0, 0.1)).image;
+  else if (this->Balance == 1 && this->InitialMethod != TUTTE) {
+    initial = authalic::barycentricMap(disk, start, execution.part(0, 0.1)).image;
+  }
   const authalic::AuthalicMapResult result =
-      authalic::authalicMap(disk, target, options, initial, execution.part(0.1, 1));
+      authalic::authalicMap(disk, wanted, options, initial, execution.part(0.1, 1));
   const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
-  report.options.set("initial", given ? "given" : authalic::barycentricWeightsName(start.weights));
+  const char* startName = this->Balance < 1 ? "riemann" : authalic::barycentricWeightsName(start.weights);
+  report.options.set("initial", given ? "given" : startName).set("balance", this->Balance);
+  authalic::addField(output, "Balance", this->Balance);
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
 }
@@ -68,6 +101,7 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
 void vtkAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InitialMethod: " << this->InitialMethod << "\n";
+  os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";

@@ -16,6 +16,7 @@
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | field | Method | 1 string | authalic |
+ * | field | Balance | 1 double | as set |
  * | field | FaceResidual | 1 double | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
  * | field | VertexResidual | 1 double | max of the absolute logarithm of r over vertex stars |
  *
@@ -58,6 +59,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Weight of the areas, 0 to 1: the target is (1 - Balance) × the areas of the Riemann map + Balance × the
+   * measure, and below 1 the solve starts from that map. 1 = area-preserving, 0 = conformal. Domain DISK only when
+   * below 1. Default 1.
+   */
+  vtkSetClampMacro(Balance, double, 0.0, 1.0);
+  vtkGetMacro(Balance, double);
+  ///@}
+
+  ///@{
   /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
    * as below. */
   vtkSetMacro(Tolerance, double);
@@ -84,6 +95,7 @@ protected:
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
   int InitialMethod = TUTTE;
+  double Balance = 1.0;
   double Tolerance;
   double VertexTolerance;
   int MaximumIterations;

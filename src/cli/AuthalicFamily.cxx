@@ -18,11 +18,10 @@ class AuthalicFamily : public MapFamily {
 
   std::string description() const override {
     return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and "
-           "without a fold; a "
-           "disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of genus 0 to "
-           "--domain sphere, a torus to --domain torus (flat, cut open, with OriginalPointIds), a "
-           "surface with holes to --domain circle-domain (unit disk without round holes) or annulus (one hole, in "
-           "the middle).";
+           "without a fold; a disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed "
+           "surface of genus 0 to --domain sphere, a torus to --domain torus (flat, cut open, with "
+           "OriginalPointIds), a surface with holes to --domain circle-domain (unit disk without round "
+           "holes) or annulus (one hole, in the middle).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -37,6 +36,9 @@ class AuthalicFamily : public MapFamily {
   void declare(CLI::App* verb) override {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
+    own(verb->add_option("--balance", balance_,
+                         "A disk to the disk: weight of the areas against the angles, 0 (conformal) to 1."))
+        ->type_name("T")->default_str(shown(defaults_->GetBalance()))->check(CLI::Range(0.0, 1.0));
     own(verb->add_option(
             "--hole-areas", holeAreas_,
             "--domain circle-domain and annulus: area of every hole but the longest loop, mm^2, > 0, in the "
@@ -46,6 +48,9 @@ class AuthalicFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (balance_ && shared.domain.value_or("disk") != "disk") {
+      throw Failure(UsageProblem, "--balance needs --domain disk; it is '" + *shared.domain + "'.");
+    }
     if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
     if (!holeAreas_.empty()) {
       throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
@@ -54,6 +59,7 @@ class AuthalicFamily : public MapFamily {
     if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
     setDiskDomain(map, shared.domain);
+    if (balance_) map->SetBalance(*balance_);
     return configured(map, shared, session);
   }
 
@@ -84,7 +90,7 @@ class AuthalicFamily : public MapFamily {
   }
 
   vtkNew<vtkAuthalicMap> defaults_;
-  std::optional<double> vertexTolerance_;
+  std::optional<double> vertexTolerance_, balance_;
   std::vector<double> holeAreas_;
 };
 

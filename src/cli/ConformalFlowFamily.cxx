@@ -24,14 +24,11 @@ class ConformalFlowFamily : public MapFamily {
 
   std::string description() const override {
     return "riemann, yamabe, circle-domain, annulus: angle-preserving, by flows of curvature. riemann: a "
-           "disk onto the "
-           "unit disk. yamabe: a disk to the plane, the boundary a circle or turning as --curvature says "
-           "(--domain "
-           "free). circle-domain: genus 0 with one or more boundary loops onto the unit disk without round "
-           "holes. "
-           "annulus: two loops onto a ring, or with --domain rectangle onto a rectangle that is periodic in "
-           "x (cut open, "
-           "with OriginalPointIds); the conformal modulus is in the report.";
+           "disk onto the unit disk. yamabe: a disk to the plane, the boundary a circle or turning as "
+           "--curvature says (--domain free). circle-domain: genus 0 with one or more boundary loops onto "
+           "the unit disk without round holes. annulus: two loops onto a ring, or with --domain rectangle "
+           "onto a rectangle that is periodic in x (cut open, with OriginalPointIds); the conformal modulus "
+           "is in the report.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {

@@ -69,10 +69,8 @@ class SymmetricDirichletFamily : public MapFamily {
 
   std::string description() const override {
     return "slim: as isometric as can be without a fold (symmetric Dirichlet energy); a disk, with a free "
-           "boundary "
-           "(--domain free, the default) or one that stays where the start has it, the unit circle unless "
-           "--initial is a "
-           "MAP.vtp (--domain disk).";
+           "boundary (--domain free, the default) or one that stays where the start has it, the unit circle "
+           "unless --initial is a MAP.vtp (--domain disk).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {

@@ -17,8 +17,7 @@ class SphereFamily : public MapFamily {
 
   std::string description() const override {
     return "sphere: angle-preserving; a closed surface of genus 0 to the unit sphere, by one of the roads of "
-           "--initial, "
-           "its centre of mass at 0. welding: the same by that road.";
+           "--initial, its centre of mass at 0. welding: the same by that road.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {

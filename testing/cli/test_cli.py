@@ -361,6 +361,8 @@ class Results(CommandLine):
             self.assertEqual(report["status"], "converged", domain)
             self.assertEqual(report["metrics"]["flipped_faces"], 0, domain)
             self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9, domain)
+        self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--balance", 0.5, "--domain", "square")
+        self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--balance", 2)
         for option in ("--tolerance", "--vertex-tolerance"):
             self.fails(2, "map", "authalic", disk, "-o", "m.vtp", option, 0)
 

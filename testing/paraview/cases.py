@@ -51,6 +51,7 @@ CASES = [
      {"Tolerance": 0.05, "Concentric": True, "OuterVertex": -1, "HoleArea": [(150.0,)]}),
     ("rectangle2", "AnnulusMap", TUBE, {"Domain": 1}),
     ("exact", "AuthalicMap", DISK, {"Tolerance": 0.02}),
+    ("halfway", "AuthalicMap", DISK, {"Balance": 0.5, "Tolerance": 0.05}),
     ("exactsquare", "AuthalicMap", DISK + [("InitialMap", "square", 0)], {"Domain": 1}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),

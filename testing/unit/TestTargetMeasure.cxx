@@ -10,6 +10,20 @@
 using namespace authalic;
 using namespace authalic::testing;
 
+TEST(TargetMeasure, BlendsWithTheAreasOfAnImage) {
+  const TriangleMesh mesh = authalic::testing::bumpyDisk(4);
+  const TargetMeasure target(mesh);
+  Eigen::VectorXd areas = Eigen::VectorXd::LinSpaced(mesh.faceCount(), 1, 3);
+  EXPECT_LT((target.blended(mesh, areas, 1).faces() - target.faces()).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_LT((target.blended(mesh, areas, 0).faces() - areas / areas.sum()).cwiseAbs().maxCoeff(), 1e-15);
+  const TargetMeasure half = target.blended(mesh, areas, 0.5);
+  EXPECT_LT((2 * half.faces() - target.faces() - areas / areas.sum()).cwiseAbs().maxCoeff(), 1e-15);
+  EXPECT_NEAR(half.vertices().sum(), 1, 1e-14);
+  EXPECT_THROW((void)target.blended(mesh, areas, 1.5), InvalidArgument);
+  areas[3] = -1;
+  EXPECT_THROW((void)target.blended(mesh, areas, 0.5), GeometryError);
+}
+
 TEST(TargetMeasure, IsTheAreaShareForUniformDensity) {
   const TriangleMesh mesh = bumpyDisk(6);
   const TargetMeasure target(mesh);

@@ -20,6 +20,7 @@
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/authalic/ToroidalAuthalicMap.h"
+#include "Core/conformal/RiemannMap.h"
 #include "support/TestMeshes.h"
 #include "support/TorusMeshes.h"
 
@@ -70,6 +71,27 @@ TEST(AuthalicFilters, AreExactByTheirOwnReport) {
   EXPECT_LT(field(map, "VertexMaxAbsLog"), 1e-9);
   EXPECT_LT(field(map, "FaceResidual"), filter->GetTolerance());
   EXPECT_EQ(field(map, "FlippedFaces"), 0);
+}
+
+TEST(AuthalicFilters, BalanceAnglesAgainstAreas) {
+  double area = 1e300, angle = 0;
+  for (const double balance : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const auto filter = vtkSmartPointer<vtkAuthalicMap>::New();
+    filter->SetInputData(0, polyData(bumpyDisk(12)));
+    filter->SetBalance(balance);
+    filter->SetTolerance(0.03);
+    filter->Update();
+    EXPECT_EQ(filter->GetStatus(), "converged") << balance;
+    EXPECT_EQ(filter->GetFlippedFaces(), 0) << balance;
+    EXPECT_LT(filter->GetTotalAreaDistortion(), area) << balance;
+    EXPECT_GT(filter->GetTotalAngleDistortion(), angle) << balance;
+    area = filter->GetTotalAreaDistortion();
+    angle = filter->GetTotalAngleDistortion();
+    if (balance > 0) continue;
+    const Points2 conformal = riemannMap(DiskMesh(bumpyDisk(12))).image;
+    EXPECT_LT((toPlanarPoints(filter->GetOutput()) - conformal).cwiseAbs().maxCoeff(), 1e-12);
+  }
+  EXPECT_LT(area, 2.001);
 }
 
 TEST(ToroidalAuthalicFilter, OpensTheTorusAndSaysWhereEveryPointComesFrom) {

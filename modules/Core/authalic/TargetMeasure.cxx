@@ -58,6 +58,24 @@ TargetMeasure TargetMeasure::fromFaceDensity(const TriangleMesh& surface, const 
   return TargetMeasure(surface, density);
 }
 
+TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas, double t) const {
+  if (!(t >= 0 && t <= 1)) {
+    throw InvalidArgument("A balance from 0 (the image's areas) to 1 (the target) is required, but it is " +
+                          std::to_string(t) + ".");
+  }
+  if (imageAreas.size() != faces_.size() || !(imageAreas.minCoeff() > 0)) {
+    throw GeometryError("An image of " + std::to_string(faces_.size()) +
+                        " faces without a fold is required to balance areas against it.");
+  }
+  TargetMeasure result = *this;
+  result.faces_ = (1 - t) * imageAreas / imageAreas.sum() + t * faces_;
+  const double smallest = kSmallestTarget / static_cast<double>(faces_.size());
+  result.faces_ = result.faces_.cwiseMax(smallest);
+  result.faces_ /= result.faces_.sum();
+  result.vertices_ = vertexStars(result.faces_, surface.faces(), surface.vertexCount());
+  return result;
+}
+
 void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {
   if (target.faces().size() == surface.faceCount() && target.vertices().size() == surface.vertexCount()) return;
   throw GeometryError("A target measure for the " + std::to_string(surface.faceCount()) +

@@ -30,6 +30,12 @@ class TargetMeasure {
   /// @throws as fromVertexDensity
   [[nodiscard]] static TargetMeasure fromFaceDensity(const TriangleMesh& surface, const Eigen::VectorXd& density);
 
+  /// Between the areas of an image and this measure, (1 − t) a + t m @cite nadeem2017: for t = 0 the image itself has
+  /// its target areas, for t = 1 the target is this one. From a conformal image this balances angles against areas.
+  /// @param imageAreas  m areas of the faces of an image without folds, > 0, any unit
+  /// @throws GeometryError when there are not m, or one is not positive; InvalidArgument when t is outside [0, 1]
+  [[nodiscard]] TargetMeasure blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas, double t) const;
+
   /// m shares, > 0, sum 1.
   [[nodiscard]] const Eigen::VectorXd& faces() const noexcept { return faces_; }
   /// n shares: a third of the faces around each vertex, sum 1.
