@@ -6,8 +6,7 @@
 
 namespace authalic {
 
-template <class Result>
-MapReport describeAuthalicMap(const Result& result, vtkPolyData* map) {
+MapReport describeAuthalicMap(const AuthalicSolution& result, vtkPolyData* map) {
   MapReport report;
   report.method = "authalic";
   report.status = result.status;
@@ -26,11 +25,6 @@ MapReport describeAuthalicMap(const Result& result, vtkPolyData* map) {
   addField(map, "VertexResidual", result.vertexResidual);
   return report;
 }
-
-template MapReport describeAuthalicMap(const AuthalicMapResult&, vtkPolyData*);
-template MapReport describeAuthalicMap(const SphericalAuthalicMapResult&, vtkPolyData*);
-template MapReport describeAuthalicMap(const ToroidalAuthalicMapResult&, vtkPolyData*);
-template MapReport describeAuthalicMap(const CircleDomainAuthalicMapResult&, vtkPolyData*);
 
 void addAuthalicOptions(Json& options, const AuthalicMapOptions& values) {
   options.set("tolerance", values.tolerance);

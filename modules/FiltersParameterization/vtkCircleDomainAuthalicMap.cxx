@@ -7,6 +7,7 @@
 #include "AuthalicReport.h"
 #include "BoundaryLoops.h"
 #include "Conversion.h"
+#include "Core/authalic/CircleDomainAuthalicMap.h"
 #include "Core/base/Error.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
@@ -30,9 +31,6 @@ void addCircles(const std::vector<authalic::FittedCircle>& circles, vtkPolyData*
 
 vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
   const authalic::CircleDomainAuthalicMapOptions defaults;
-  this->Tolerance = defaults.solve.tolerance;
-  this->VertexTolerance = defaults.solve.vertexTolerance;
-  this->MaximumIterations = defaults.solve.maxIterations;
   this->Concentric = defaults.concentric;
 }
 
@@ -49,9 +47,7 @@ void vtkCircleDomainAuthalicMap::ClearHoleAreas() {
 authalic::CircleDomainAuthalicMapOptions vtkCircleDomainAuthalicMap::Options(
     const std::vector<std::vector<int>>& loops) const {
   authalic::CircleDomainAuthalicMapOptions options;
-  options.solve.tolerance = this->Tolerance;
-  options.solve.vertexTolerance = this->VertexTolerance;
-  options.solve.maxIterations = this->MaximumIterations;
+  options.solve = this->Superclass::Options();
   options.concentric = this->Concentric;
   options.outerLoop = authalic::loopOf(loops, this->OuterVertex);
   options.holeAreas = this->HoleAreas;
@@ -92,9 +88,6 @@ void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInfor
 
 void vtkCircleDomainAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Concentric: " << this->Concentric << "\n";
   os << indent << "OuterVertex: " << this->OuterVertex << "\n";
   os << indent << "HoleAreas: " << this->HoleAreas.size() << "\n";

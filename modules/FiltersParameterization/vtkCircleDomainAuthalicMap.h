@@ -5,12 +5,10 @@
  * As vtkAuthalicMap, for any number of boundary loops: every vertex star gets exactly its share, every hole exactly its
  * area, every loop lies on a circle. Holes stay where the conformal map has their centres, or, with Concentric, the one
  * hole is in the middle. Ears on inner loops bulge into the hole. Input 0 must be connected, oriented, manifold, of
- * genus 0 and have a boundary. Ports and arrays: see vtkSurfaceMapAlgorithm; also
+ * genus 0 and have a boundary. Ports and arrays: see vtkAreaSolveAlgorithm; also
  *
  * | association | name | components, type | unit | meaning |
  * |---|---|---|---|---|
- * | field | FaceResidual | 1 double | | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
- * | field | VertexResidual | 1 double | | max of the absolute logarithm of r over vertex stars |
  * | field | Circles | 3 double each | | x, y of the centre and radius of every loop, in the order of the loops' smallest ids |
  * | field | OuterLoop | 1 int | | which of them is the unit circle |
  * | field | HoleAreas | 1 double each | mm² | prescribed, in the order of the other loops |
@@ -25,7 +23,7 @@
 #define vtkCircleDomainAuthalicMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkSurfaceMapAlgorithm.h"
+#include "vtkAreaSolveAlgorithm.h"
 
 #include <vector> // for hole areas
 
@@ -34,31 +32,12 @@ namespace authalic
 struct CircleDomainAuthalicMapOptions;
 }
 
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkCircleDomainAuthalicMap : public vtkSurfaceMapAlgorithm
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkCircleDomainAuthalicMap : public vtkAreaSolveAlgorithm
 {
 public:
   static vtkCircleDomainAuthalicMap* New();
-  vtkTypeMacro(vtkCircleDomainAuthalicMap, vtkSurfaceMapAlgorithm);
+  vtkTypeMacro(vtkCircleDomainAuthalicMap, vtkAreaSolveAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
-   * as below. */
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  ///@{
-  /** Of max |ln r| over vertex stars, > 0. */
-  vtkSetMacro(VertexTolerance, double);
-  vtkGetMacro(VertexTolerance, double);
-  ///@}
-
-  ///@{
-  /** Most steps of both kinds, 0 or more. */
-  vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
 
   ///@{
   /** Whether the hole of a surface with two loops is in the middle of the disk. Default off. */
@@ -89,9 +68,6 @@ protected:
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  double Tolerance;
-  double VertexTolerance;
-  int MaximumIterations;
   bool Concentric;
   int OuterVertex = -1;
   std::vector<double> HoleAreas;

@@ -7,32 +7,18 @@
 
 #include "AuthalicReport.h"
 #include "Conversion.h"
+#include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/mesh/SphereMesh.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkSphericalAuthalicMap);
 
-vtkSphericalAuthalicMap::vtkSphericalAuthalicMap() {
-  this->SetNumberOfInputPorts(2);
-  const authalic::AuthalicMapOptions defaults;
-  this->Tolerance = defaults.tolerance;
-  this->VertexTolerance = defaults.vertexTolerance;
-  this->MaximumIterations = defaults.maxIterations;
-}
+vtkSphericalAuthalicMap::vtkSphericalAuthalicMap() { this->SetNumberOfInputPorts(2); }
 
 int vtkSphericalAuthalicMap::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
-}
-
-authalic::AuthalicMapOptions vtkSphericalAuthalicMap::Options() const {
-  authalic::AuthalicMapOptions options;
-  options.tolerance = this->Tolerance;
-  options.vertexTolerance = this->VertexTolerance;
-  options.maxIterations = this->MaximumIterations;
-  options.validate();
-  return options;
 }
 
 void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
@@ -56,11 +42,4 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   report.options.set("initial", given ? "given" : "two-caps");
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
-}
-
-void vtkSphericalAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
 }

@@ -8,27 +8,12 @@
 
 #include "AuthalicReport.h"
 #include "Conversion.h"
+#include "Core/authalic/ToroidalAuthalicMap.h"
 #include "Core/mesh/TorusMesh.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkToroidalAuthalicMap);
-
-vtkToroidalAuthalicMap::vtkToroidalAuthalicMap() {
-  const authalic::AuthalicMapOptions defaults;
-  this->Tolerance = defaults.tolerance;
-  this->VertexTolerance = defaults.vertexTolerance;
-  this->MaximumIterations = defaults.maxIterations;
-}
-
-authalic::AuthalicMapOptions vtkToroidalAuthalicMap::Options() const {
-  authalic::AuthalicMapOptions options;
-  options.tolerance = this->Tolerance;
-  options.vertexTolerance = this->VertexTolerance;
-  options.maxIterations = this->MaximumIterations;
-  options.validate();
-  return options;
-}
 
 void vtkToroidalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
                                      const authalic::Execution& execution) {
@@ -53,11 +38,4 @@ void vtkToroidalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformati
   report.options.set("measure", this->MeasureArrayName);
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
-}
-
-void vtkToroidalAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
 }

@@ -9,14 +9,12 @@
  * | port | what |
  * |---|---|
  * | input 0 | vtkPolyData, the surface: closed, connected, oriented, manifold, genus 1 |
- * | output 0 | vtkPolyData, the map of area 1: faces in the order of the input; see vtkSurfaceMapAlgorithm |
+ * | output 0 | vtkPolyData, the map of area 1: faces in the order of the input; see vtkAreaSolveAlgorithm |
  *
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | point | OriginalPointIds | 1 vtkIdType | point of the input |
  * | field | Method | 1 string | authalic |
- * | field | FaceResidual | 1 double | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
- * | field | VertexResidual | 1 double | max of the absolute logarithm of r over whole vertex stars |
  * | field | Periods | 4 × 1 double | x, y of the first period (y = 0), x, y of the second; determinant 1 |
  * | field | SeamError | 1 double | largest difference of an edge of the cut as seen from its two sides |
  *
@@ -28,52 +26,21 @@
 #define vtkToroidalAuthalicMap_h
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
-#include "vtkSurfaceMapAlgorithm.h"
+#include "vtkAreaSolveAlgorithm.h"
 
-namespace authalic
-{
-struct AuthalicMapOptions;
-}
-
-class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkToroidalAuthalicMap : public vtkSurfaceMapAlgorithm
+class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkToroidalAuthalicMap : public vtkAreaSolveAlgorithm
 {
 public:
   static vtkToroidalAuthalicMap* New();
-  vtkTypeMacro(vtkToroidalAuthalicMap, vtkSurfaceMapAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
-   * as below. */
-  vtkSetMacro(Tolerance, double);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  ///@{
-  /** Of max |ln r| over vertex stars, > 0. */
-  vtkSetMacro(VertexTolerance, double);
-  vtkGetMacro(VertexTolerance, double);
-  ///@}
-
-  ///@{
-  /** Most steps of both kinds, 0 or more. */
-  vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
+  vtkTypeMacro(vtkToroidalAuthalicMap, vtkAreaSolveAlgorithm);
 
 protected:
-  vtkToroidalAuthalicMap();
+  vtkToroidalAuthalicMap() = default;
   ~vtkToroidalAuthalicMap() override = default;
 
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
-  double Tolerance;
-  double VertexTolerance;
-  int MaximumIterations;
-
 private:
-  authalic::AuthalicMapOptions Options() const;
-
   vtkToroidalAuthalicMap(const vtkToroidalAuthalicMap&) = delete;
   void operator=(const vtkToroidalAuthalicMap&) = delete;
 };

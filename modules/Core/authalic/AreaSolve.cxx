@@ -46,6 +46,7 @@ class AreaSolver {
     if (result_.image.size() == 0) result_.image = std::move(image);
     result_.faceResidual = faces_.residual(result_.image);
     result_.vertexResidual = vertices_.residual(result_.image);
+    result_.iterations = static_cast<int>(result_.history.size());
     if (converged_ && result_.status != Status::Cancelled) result_.status = Status::Converged;
     if (result_.status == Status::NotRun) result_.status = Status::NotConverged;
     return std::move(result_);

@@ -7,12 +7,8 @@
 
 namespace authalic {
 
-struct AreaSolveResult {
+struct AreaSolveResult : AuthalicSolution {
   Coordinates image;
-  Status status = Status::NotRun;
-  double faceResidual = 0, vertexResidual = 0;
-  std::vector<AuthalicIteration> history;
-  double faceSeconds = 0, vertexSeconds = 0;
 };
 
 /// @param start  no face folded; stays so

@@ -31,15 +31,19 @@ struct AuthalicIteration {
   bool exact = false;   ///< a vertex step
 };
 
-struct AuthalicMapResult {
-  Points2 image;                   ///< n×2, on the domain; vertices in the order of the input
+/// How the solve ended, on any domain.
+struct AuthalicSolution {
   Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
   int iterations = 0;              ///< steps of both kinds
   double faceResidual = 0;         ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = image share / target share
-  double vertexResidual = 0;       ///< max |ln r_v| of `image`
+  double vertexResidual = 0;       ///< max |ln r_v| of the image
   int flippedFaces = 0;
   std::vector<AuthalicIteration> history;
   double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
+};
+
+struct AuthalicMapResult : AuthalicSolution {
+  Points2 image;  ///< n×2, on the domain; vertices in the order of the input
 };
 
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.

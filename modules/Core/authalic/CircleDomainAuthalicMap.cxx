@@ -192,17 +192,6 @@ double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image
   return worst;
 }
 
-void takeOver(AreaSolveResult&& solved, CircleDomainAuthalicMapResult& result) {
-  result.image = solved.image;
-  result.status = solved.status;
-  result.iterations = static_cast<int>(solved.history.size());
-  result.faceResidual = solved.faceResidual;
-  result.vertexResidual = solved.vertexResidual;
-  result.history = std::move(solved.history);
-  result.faceSeconds = solved.faceSeconds;
-  result.vertexSeconds = solved.vertexSeconds;
-}
-
 }  // namespace
 
 void CircleDomainAuthalicMapOptions::validate(const PolyAnnulusMesh& surface) const {
@@ -245,8 +234,11 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   const CircleDomainAreas areas(surface.mesh().faces(), loops, surface.mesh().vertexCount());
   const Points2 start = makeStart(surface, target, areas, loops, options.concentric, conformal.image,
                                   execution.part(0.2, 0.3));
-  result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  takeOver(solveAreas(areas, target, start, options.solve, execution.part(0.3, 1)), result);
+  const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  AreaSolveResult solved = solveAreas(areas, target, start, options.solve, execution.part(0.3, 1));
+  result.image = solved.image;
+  static_cast<AuthalicSolution&>(result) = std::move(solved);
+  result.startSeconds = startSeconds;
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());
   result.holeResidual = holeResidual(loops, result.image);
   std::vector<LoopOnCircle> inOrder(loops.begin() + 1, loops.end());

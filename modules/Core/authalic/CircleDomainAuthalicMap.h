@@ -23,20 +23,13 @@ struct CircleDomainAuthalicMapOptions {
   void validate(const PolyAnnulusMesh& surface) const;
 };
 
-struct CircleDomainAuthalicMapResult {
+struct CircleDomainAuthalicMapResult : AuthalicSolution {
   Points2 image;                      ///< n×2; vertices in the order of the input
   std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops()
   int outerLoop = 0;
   std::vector<double> holeAreas;      ///< prescribed, in the order of the options
   double holeResidual = 0;            ///< max |ln r| of the holes, r = share of the image / prescribed share
   int pockets = 0;                    ///< ears of the surface that lie in holes, see FoldedPockets
-  Status status = Status::NotRun;     ///< Converged: both residuals within their tolerances, and no fold
-  int iterations = 0;                 ///< steps of both kinds
-  double faceResidual = 0;            ///< as in AuthalicMapResult
-  double vertexResidual = 0;          ///< max |ln r_v|
-  int flippedFaces = 0;
-  std::vector<AuthalicIteration> history;
-  double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
 };
 
 /// Maps a surface of genus 0 with k ≥ 1 loops to the unit disk without k − 1 round holes of prescribed areas so that

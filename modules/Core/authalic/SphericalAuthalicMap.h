@@ -7,16 +7,8 @@
 
 namespace authalic {
 
-struct SphericalAuthalicMapResult {
-  Points3 image;                   ///< n×3 on the unit sphere; vertices in the order of the input
-  Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
-  int iterations = 0;              ///< steps of both kinds
-  double faceResidual =
-      0;  ///< (D_area − 2)^½ = (Σ m_t (r_t + 1/r_t − 2))^½, r = solid angle share / target share
-  double vertexResidual = 0;       ///< max |ln r_v| of `image`
-  int flippedFaces = 0;
-  std::vector<AuthalicIteration> history;
-  double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
+struct SphericalAuthalicMapResult : AuthalicSolution {
+  Points3 image;  ///< n×3 on the unit sphere; vertices in the order of the input; shares are those of solid angles
 };
 
 /// Maps a genus-0 surface to the unit sphere so that every vertex star has its target solid angle, as authalicMap().

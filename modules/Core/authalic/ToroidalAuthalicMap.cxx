@@ -112,22 +112,17 @@ ToroidalAuthalicMapResult toroidalAuthalicMap(const TorusMesh& torus, const Targ
   PeriodicImage image = makeStart(torus, result.cut, target, options.solver, execution.part(0, 0.3));
   const Points2 shifts = image.shifts(result.cut);
   const PeriodicAreas areas(faces, shifts, torus.mesh().vertexCount());
-  result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solveAreas(areas, target, image.points, options, execution.part(0.3, 1));
   image.points = solved.image;
   relaxLattice(torus.mesh(), result.cut, image);
   result.image = openImage(result.cut, faces, image);
   result.seamError = seamError(torus.topology(), result.cut, result.image);
-  result.flippedFaces = countFlippedFaces(result.image, result.cut.faces);
   result.points = std::move(image.points);
   result.lattice = image.lattice;
-  result.status = solved.status;
-  result.iterations = static_cast<int>(solved.history.size());
-  result.faceResidual = solved.faceResidual;
-  result.vertexResidual = solved.vertexResidual;
-  result.history = std::move(solved.history);
-  result.faceSeconds = solved.faceSeconds;
-  result.vertexSeconds = solved.vertexSeconds;
+  static_cast<AuthalicSolution&>(result) = std::move(solved);
+  result.startSeconds = startSeconds;
+  result.flippedFaces = countFlippedFaces(result.image, result.cut.faces);
   execution.report(1, "Authalic map");
   return result;
 }

@@ -8,20 +8,13 @@
 
 namespace authalic {
 
-struct ToroidalAuthalicMapResult {
+struct ToroidalAuthalicMapResult : AuthalicSolution {
   Points2 points;           ///< n×2, one image of every vertex; the others differ by periods
   Eigen::Matrix2d lattice;  ///< columns: the two periods, det = 1, the first along +x
   CutGraph cut;             ///< opens the torus to the disk `image`
   Points2 image;  ///< image of the cut's vertices: points(v) + lattice · winding; sides of the cut differ by
                   ///< periods
-  Status status = Status::NotRun;  ///< Converged: both residuals within their tolerances, and no fold
-  int iterations = 0;              ///< steps of both kinds
-  double faceResidual = 0;         ///< as in AuthalicMapResult
-  double vertexResidual = 0;       ///< max |ln r_v|, over the whole stars of the torus
-  int flippedFaces = 0;
   double seamError = 0;  ///< largest distance of the two sides of an edge of the cut after the translation between them
-  std::vector<AuthalicIteration> history;
-  double startSeconds = 0, faceSeconds = 0, vertexSeconds = 0;
 };
 
 /// Maps a torus to a flat torus ℝ²/(ℤa + ℤb) of area 1 so that every vertex star has its target area, as
