@@ -14,7 +14,10 @@ int main() {
     faces.row(f++) << q + 1, q + n + 1, q + n;
   }
   const authalic::DiskMesh disk(authalic::TriangleMesh(points, faces));  // throws unless it is a topological disk
-  const authalic::AuthalicMapResult flat = authalic::authalicMap(disk, authalic::TargetMeasure(disk.mesh()));
+  authalic::AuthalicMapOptions options;
+  options.tolerance = 0.02;  // of the faces; vertices are exact whatever it is
+  const authalic::AuthalicMapResult flat =
+      authalic::authalicMap(disk, authalic::TargetMeasure(disk.mesh()), options);
   std::cout << authalic::statusName(flat.status) << ", residual " << flat.faceResidual << ", " << flat.flippedFaces
             << " folded faces\n";
   return flat.status == authalic::Status::Converged ? 0 : 4;
