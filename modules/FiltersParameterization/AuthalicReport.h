@@ -1,5 +1,5 @@
 /// @file
-/// What all authalic maps report.
+/// What all authalic maps report. Private to FiltersParameterization/.
 #pragma once
 
 #include "Core/authalic/AuthalicMap.h"

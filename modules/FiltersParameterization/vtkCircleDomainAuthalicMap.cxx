@@ -6,6 +6,7 @@
 
 #include "AuthalicReport.h"
 #include "BoundaryLoops.h"
+#include "CircleArrays.h"
 #include "Conversion.h"
 #include "Core/authalic/CircleDomainAuthalicMap.h"
 #include "Core/base/Error.h"
@@ -13,21 +14,6 @@
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
-
-namespace {
-
-void addCircles(const std::vector<authalic::FittedCircle>& circles, vtkPolyData* map, authalic::MapReport& report) {
-  Eigen::MatrixXd table(static_cast<Eigen::Index>(circles.size()), 3);
-  std::vector<double> numbers;
-  for (std::size_t k = 0; k < circles.size(); ++k) {
-    table.row(static_cast<Eigen::Index>(k)) << circles[k].centre, circles[k].radius;
-    numbers.insert(numbers.end(), {circles[k].centre[0], circles[k].centre[1], circles[k].radius});
-  }
-  authalic::addField(map, "Circles", table);
-  report.more.set("circles", authalic::Json::arrayOf(numbers));
-}
-
-}  // namespace
 
 vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
   const authalic::CircleDomainAuthalicMapOptions defaults;
@@ -67,7 +53,7 @@ void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInfor
   const authalic::Distortion distortion =
       authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
-  addCircles(result.circles, output, report);
+  authalic::addCircles(result.circles, output, report);
   authalic::addField(output, "OuterLoop", result.outerLoop);
   authalic::addField(output, "HoleAreas", result.holeAreas);
   authalic::addField(output, "HoleResidual", result.holeResidual);

@@ -1,13 +1,12 @@
 #include "vtkCircleDomainMap.h"
 
-#include <vector>
-
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "BoundaryLoops.h"
+#include "CircleArrays.h"
 #include "ConformalReport.h"
 #include "Conversion.h"
 #include "Core/base/Error.h"
@@ -17,29 +16,6 @@
 vtkStandardNewMacro(vtkCircleDomainMap);
 
 static_assert(static_cast<int>(authalic::CircleDomainRoad::Koebe) == vtkCircleDomainMap::KOEBE);
-
-namespace {
-
-// x, y, radius of every circle.
-std::vector<double> numbersOf(const std::vector<authalic::FittedCircle>& circles) {
-  std::vector<double> numbers;
-  for (const authalic::FittedCircle& circle : circles) {
-    numbers.insert(numbers.end(), {circle.centre[0], circle.centre[1], circle.radius});
-  }
-  return numbers;
-}
-
-// The same, one row per circle.
-Eigen::MatrixXd tableOf(const std::vector<authalic::FittedCircle>& circles) {
-  Eigen::MatrixXd table(static_cast<Eigen::Index>(circles.size()), 3);
-  for (Eigen::Index k = 0; k < table.rows(); ++k) {
-    const authalic::FittedCircle& circle = circles[static_cast<std::size_t>(k)];
-    table.row(k) << circle.centre, circle.radius;
-  }
-  return table;
-}
-
-}  // namespace
 
 vtkCircleDomainMap::vtkCircleDomainMap() {
   const authalic::CircleDomainOptions defaults;
@@ -68,16 +44,14 @@ void vtkCircleDomainMap::Compute(vtkInformationVector** inputs, vtkInformationVe
       result.refinement ? authalic::fillRefinedMap(input, output, *result.refinement)
                         : authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeConformalMap("circle-domain", result, output);
-  const std::vector<double> circles = numbersOf(result.circles);
-  authalic::addField(output, "Circles", tableOf(result.circles));
+  authalic::addCircles(result.circles, output, report);
   if (result.logScale.size() > 0 && !result.refinement) {
     authalic::addArray(output->GetPointData(), "LogScaleFactor", result.logScale);
   }
   authalic::addField(output, "OuterLoop", result.outerLoop);
   authalic::addField(output, "Roundness", result.roundness);
   authalic::addField(output, "Pockets", result.pockets);
-  report.more.set("circles", authalic::Json::arrayOf(circles))
-      .set("outer_loop", result.outerLoop)
+  report.more.set("outer_loop", result.outerLoop)
       .set("roundness", result.roundness)
       .set("pockets", result.pockets)
       .set("rounds", result.rounds);

@@ -52,9 +52,9 @@ struct AuthalicMapResult : AuthalicSolution {
 /// (see makeRoomOnCircle and balancedStart in authalic/).
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 /// target m; inner vertices move freely, those of the boundary along it.
-/// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the step
-/// of Lie
-///    advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them reach 1e-12.
+/// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
+///    step of Lie advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them
+///    reach 1e-12.
 ///
 /// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on
 /// to half the residual; at most 5 rounds. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
@@ -69,9 +69,8 @@ struct AuthalicMapResult : AuthalicSolution {
 /// guaranteed: a bound on angle distortion (area-preserving maps are not unique; the shortest steps keep it near
 /// that of the start). Complexity: one sparse factorisation of size 2 n per face step, one of size n per vertex
 /// step, O(n^1.5) each.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the
-/// domain;
-///         SolverError when a system cannot be factorised
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or
+///         the domain; SolverError when a system cannot be factorised
 [[nodiscard]] AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
                                             const AuthalicMapOptions& options = {}, const Points2& initial = {},
                                             const Execution& execution = {});

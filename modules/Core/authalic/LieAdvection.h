@@ -43,16 +43,16 @@ struct LieAdvectionResult {
 /// vertices slide on the circle or their side, corners stay. The last step aims at what is left
 /// (docs/methods/lie-advection.md has the error against K).
 ///
-/// Where a step would fold the flowing mesh it is halved until it does not, and counted; the schedule makes up for it
-/// later. λ is kept within e^±3 in one step.
+/// Corners of faces that would fold on the way take the mean displacement of their neighbours, then are slowed by
+/// themselves (`slowedVertices`); where that does not suffice the step is halved, and counted. The schedule makes
+/// up for it later. λ is kept within e^±3 in one step.
 ///
 /// @param initial  n×2, a map to the same domain, boundary on its boundary; folds in it are unfolded first
 /// Guarantees: with `unfold`, no folded face on a convex domain; finite; the boundary on that of the domain (pockets
 /// excepted). Not guaranteed: exact areas (→ residual); see authalicMap() for those. Complexity: K sparse
 /// factorisations, O(K n^1.5). When cancelled, the last iterate is returned with Status::Cancelled.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the
-/// domain;
-///         SolverError when a system cannot be factorised
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or
+///         the domain; SolverError when a system cannot be factorised
 [[nodiscard]] LieAdvectionResult lieAdvection(const DiskMesh& disk, const Points2& initial,
                                               const TargetMeasure& target, const LieAdvectionOptions& options = {},
                                               const Execution& execution = {});

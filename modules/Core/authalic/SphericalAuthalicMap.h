@@ -21,9 +21,8 @@ struct SphericalAuthalicMapResult : AuthalicSolution {
 ///                 cortex) only decides where the two disks meet.
 /// Guarantees and failures as authalicMap(); the start of a surface that folds on the sphere beyond repair is
 /// refused.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or no
-/// start without
-///         a fold was found; SolverError when a system cannot be factorised
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or
+///         no start without a fold was found; SolverError when a system cannot be factorised
 /// @cite zou2011 @cite su2019
 [[nodiscard]] SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere,
                                                               const TargetMeasure& target,

@@ -10,8 +10,7 @@
 namespace authalic {
 
 struct ConformalizedMeanCurvatureFlowOptions {
-  double timeStep =
-      0.3;  ///< δ, the area of the flowing surface being 4π; the flow of the unit sphere is |x'| = 2/|x|
+  double timeStep = 0.3;    ///< δ, the area of the flowing surface being 4π; the unit sphere flows by |x'| = 2/|x|
   double tolerance = 1e-5;  ///< of the change of the radii in one step, root mean square over the sphere
   int maxIterations = 200;
   SolverBackend solver = SolverBackend::Automatic;

@@ -50,9 +50,8 @@ struct YamabeMapResult {
 /// boundary may make the image overlap itself: curvature says how the boundary turns, not where it goes.
 /// Not guaranteed: no folded face (→ flippedFaces); an image without overlap. Complexity: that of the flow.
 /// When cancelled, the image is empty and the status says so. @cite su2016 @cite springborn2008
-/// @throws InvalidArgument when K̄ does not vanish inside, is not admissible (see yamabeFlow), or an option is out
-/// of range;
-///         GeometryError; SolverError
+/// @throws InvalidArgument when K̄ does not vanish inside, is not admissible (see yamabeFlow), or an option is
+///         out of range; GeometryError; SolverError
 [[nodiscard]] YamabeMapResult yamabeMap(const DiskMesh& disk, const YamabeMapOptions& options = {},
                                         const Execution& execution = {});
 
