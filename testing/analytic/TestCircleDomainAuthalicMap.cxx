@@ -38,7 +38,6 @@ TEST(CircleDomainAuthalicMap, OfRealFacesIsExactAtVerticesAndHoles) {
     AUTHALIC_NEEDS(path);
     const PolyAnnulusMesh surface(readOff(path));
     CircleDomainAuthalicMapOptions options;
-    options.solve.tolerance = 2e-2;
     const auto result = circleDomainAuthalicMap(surface, TargetMeasure(surface.mesh()), options);
     EXPECT_EQ(result.status, Status::Converged);
     EXPECT_EQ(result.flippedFaces, 0);

@@ -24,4 +24,19 @@ Coordinates AreaFunctional::displacement(const Frames& frames, const Eigen::Vect
   return result;
 }
 
+AreaFunctional::Corners AreaFunctional::corners(const Coordinates& image, int face) const {
+  Corners result(3, image.cols());
+  for (int k = 0; k < 3; ++k) result.row(k) = image.row(faces_(face, k));
+  return result;
+}
+
+AreaFunctional::Directions AreaFunctional::directions(const Frames& frames, int face) const {
+  const Eigen::Index dimension = frames.cols() / 2;
+  Directions result(6, dimension);
+  for (int a = 0; a < 6; ++a) {
+    result.row(a) = frames.row(faces_(face, a / 2)).segment((a % 2) * dimension, dimension);
+  }
+  return result;
+}
+
 }  // namespace authalic

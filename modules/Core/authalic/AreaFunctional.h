@@ -24,6 +24,11 @@ class AreaFunctional {
   /// Derivatives of the areas by steps: entry (t, 2 k + j) belongs to direction j of corner k.
   using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
+  /// Where the corners of one face lie, as the face sees them: 3×d.
+  using Corners = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
+  /// Directions of the corners of one face, as the face sees them: row 2 k + j is direction j of corner k.
+  using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, 3>;
+
   virtual ~AreaFunctional() = default;
 
   [[nodiscard]] const Faces& faces() const noexcept { return faces_; }
@@ -40,6 +45,10 @@ class AreaFunctional {
   [[nodiscard]] virtual Frames frames(const Coordinates& image) const = 0;
   /// ∂a_t along the frames. O(m)
   [[nodiscard]] virtual Gradients gradients(const Coordinates& image, const Frames& frames) const = 0;
+  /// By default the rows of the image.
+  [[nodiscard]] virtual Corners corners(const Coordinates& image, int face) const;
+  /// By default the rows of the frames.
+  [[nodiscard]] virtual Directions directions(const Frames& frames, int face) const;
   /// image + t · displacement, back on the domain.
   [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
                                           double t) const = 0;

@@ -13,12 +13,12 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
-constexpr double kEnough = 0.4;        // of the tolerance: vertex steps disturb the faces
-constexpr double kPlenty = 0.2;         // of the tolerance: until then face steps go on while they are worth their time
-constexpr double kWorthwhile = 0.92;    // factor of the residual in one face step
+constexpr double kEnough = 0.4;         // of the tolerance: vertex steps disturb the faces
 constexpr double kNearlyEnough = 0.8;   // of the tolerance: vertex steps are tried when face steps get slow
+constexpr double kMeanLog = 0.5;        // of the tolerance: wanted of the mean |ln r| of the faces after vertex steps,
+constexpr double kEnoughMeanLog = 0.32;   // and before them,
+constexpr double kNearlyMeanLog = 0.36;   // also when face steps get slow
 constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
-constexpr double kMeanLog = 0.45;       // of the tolerance: farther small faces are worth one more round
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 
@@ -26,10 +26,13 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 class AreaSolver {
  public:
-  AreaSolver(const AreaFunctional& areas, const TargetMeasure& target, const AuthalicMapOptions& options,
-             const Execution& execution)
-      : options_(options), execution_(execution), faces_(areas, target.faces(), options.solver),
-        vertices_(areas, target.vertices(), options.solver) {}
+  AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
+             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes)
+      : options_(options), execution_(execution),
+        faces_(areas, target.faces(), cotangentWeights(surface), options.solver),
+        vertices_(areas, target.vertices(), options.solver) {
+    if (shapes == Shapes::Free) faces_.forgetShapes();
+  }
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
@@ -39,7 +42,7 @@ class AreaSolver {
       const bool moved = faceSteps(goal, image);
       Coordinates exact = image;
       reached = vertexSteps(exact);
-      goal *= reached ? std::clamp(kEnough * options_.tolerance / faces_.residual(exact), kEnough, 0.5) : 0.5;
+      goal *= reached ? nearness(exact) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (!moved && !reached) result_.status = Status::Stalled;
     }
@@ -63,27 +66,22 @@ class AreaSolver {
     execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
   }
 
-  // The residual hardly sees small faces; the mean over faces does.
-  [[nodiscard]] bool evenSmallFacesAreNear(const Coordinates& image, double goal) const {
-    return faces_.meanAbsLog(image) <= kEnough * goal;
-  }
-
-  // Until the residual is well below the goal, or below it and progress slows, or nothing moves. Returns whether
-  // any step was taken.
+  // Until the residual and the mean over faces, which sees small ones, are well below the goal, or below it and
+  // progress slows, or nothing moves. Returns whether any step was taken.
   bool faceSteps(double goal, Coordinates& image) {
     const double begun = now();
     bool moved = false;
     std::vector<double> residuals;
-    for (faces_.restart(); !ended() && !faces_.stalled();) {
+    for (faces_.restart(goal); !ended() && !faces_.stalled();) {
       residuals.push_back(faces_.residual(image));
       const std::size_t count = residuals.size();
-      if (residuals.back() <= kPlenty * goal) break;
       const auto slower = [&](std::size_t steps, double factor) {
         return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
       };
-      if (slower(1, kWorthwhile) && residuals.back() <= kEnough * goal && evenSmallFacesAreNear(image, goal)) break;
+      const double meanLog = faces_.meanAbsLog(image);
+      if (residuals.back() <= kEnough * goal && meanLog <= kEnoughMeanLog * goal) break;
       if (slower(kSlowSteps / 2, kGettingSlow)) {
-        if (residuals.back() <= kNearlyEnough * goal) break;
+        if (residuals.back() <= kNearlyEnough * goal && meanLog <= kNearlyMeanLog * goal) break;
         faces_.relax();
       }
       if (slower(kSlowSteps, kSlow)) break;
@@ -93,6 +91,13 @@ class AreaSolver {
     }
     result_.faceSeconds += now() - begun;
     return moved;
+  }
+
+  // The part of the goal at which the next vertex steps would end within the tolerances.
+  [[nodiscard]] double nearness(const Coordinates& exact) const {
+    const double tolerance = options_.tolerance, faces = tolerance / faces_.residual(exact),
+                 means = kMeanLog * tolerance / faces_.meanAbsLog(exact);
+    return std::clamp(0.8 * std::min(faces, means), 0.4, faces < 1 ? 0.5 : 0.8);
   }
 
   // Returns whether the tolerance was reached.
@@ -118,8 +123,7 @@ class AreaSolver {
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
     converged_ = true;
-    if (refined_ || faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
-    refined_ = true;
+    if (faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
   }
 
   const AuthalicMapOptions& options_;
@@ -128,14 +132,14 @@ class AreaSolver {
   VertexMatch vertices_;
   AreaSolveResult result_;
   bool converged_ = false;  // `result_.image` is within both tolerances
-  bool refined_ = false;    // and small faces had their round
 };
 
 }  // namespace
 
-AreaSolveResult solveAreas(const AreaFunctional& areas, const TargetMeasure& target, Coordinates start,
-                           const AuthalicMapOptions& options, const Execution& execution) {
-  return AreaSolver(areas, target, options, execution).run(std::move(start));
+AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
+                           Coordinates start, const AuthalicMapOptions& options, const Execution& execution,
+                           Shapes shapes) {
+  return AreaSolver(areas, surface, target, options, execution, shapes).run(std::move(start));
 }
 
 }  // namespace authalic

@@ -7,15 +7,24 @@
 
 namespace authalic {
 
+enum class Shapes {
+  Kept,  ///< good angles while areas are matched
+  Free   ///< areas alone: nearer to the targets on coarse meshes, with more shear
+};
+
 struct AreaSolveResult : AuthalicSolution {
   Coordinates image;
 };
 
-/// @param start  no face folded; stays so
+/// @param surface  whose faces are mapped, in the order of those of `areas`
+/// @param start    no face folded; stays so
+/// @param shapes   whether face steps look at shapes, see FaceMatch
 /// Status: Converged when both residuals are within their tolerances; Stalled when no step was possible any more;
 /// NotConverged at the limit of iterations or rounds; Cancelled. The image is the one with the smallest vertex residual
 /// within its tolerance, else the last.
-[[nodiscard]] AreaSolveResult solveAreas(const AreaFunctional& areas, const TargetMeasure& target, Coordinates start,
-                                         const AuthalicMapOptions& options, const Execution& execution);
+[[nodiscard]] AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface,
+                                         const TargetMeasure& target, Coordinates start,
+                                         const AuthalicMapOptions& options, const Execution& execution,
+                                         Shapes shapes = Shapes::Kept);
 
 }  // namespace authalic

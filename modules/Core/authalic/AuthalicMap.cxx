@@ -10,6 +10,7 @@
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/PlanarAreas.h"
 #include "Core/authalic/RoomOnCircle.h"
+#include "Core/authalic/StretchStart.h"
 #include "Core/initial/Unfold.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -18,6 +19,8 @@ namespace authalic {
 namespace {
 
 constexpr double kWithinSight = 0.2;  // mean |ln r| of the stars, from where face steps converge
+constexpr double kWellInSight = 0.1;  // the same for a start that gets better with every round
+constexpr double kFewFolds = 0.002;   // of the faces, worth unfolding
 constexpr double kUsable = 2;         // the same for a given initial map, which is then not balanced
 
 void require(bool condition, const std::string& required, double found) {
@@ -46,21 +49,82 @@ BoundaryPlacement placed(const DiskMesh& disk, const TargetMeasure& target, cons
   return placement;
 }
 
-Points2 makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points2 image, const TargetMeasure& target,
-                  const AuthalicMapOptions& options, bool given, const Execution& execution) {
+struct Start {
+  Points2 image;
+  int folded = 0;
+  bool stretched = false;  // another one may lead farther
+};
+
+// The boundary of a placement and a balanced barycentric map inside.
+Start balanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
+               const AuthalicMapOptions& options, const Execution& execution) {
+  Points2 image = balancedStart(disk, boundary, target, options.solver, kWithinSight, execution);
+  image = reviveCollapsedFaces(disk, image, target, options.solver);
+  UnfoldResult unfolded = unfold(disk.topology(), std::move(image), execution);
+  return {std::move(unfolded.image), unfolded.flippedFaces};
+}
+
+// The same with the fixed point of the stretch energy inside, where its stars come within sight and its folds are few:
+// better angles.
+Start stretchedOrBalanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
+                          const AuthalicMapOptions& options, const Execution& execution) {
+  StretchStart stretched = stretchStart(disk.mesh(), {disk.topology(), disk.topology().onBoundary(), {}}, boundary,
+                                        target, options.solver, kWellInSight, execution);
+  if (stretched.error <= kWithinSight && stretched.folded <= kFewFolds * disk.mesh().faceCount()) {
+    UnfoldResult unfolded = unfold(disk.topology(), std::move(stretched.image), execution);
+    if (unfolded.flippedFaces == 0) return {std::move(unfolded.image), 0, true};
+  }
+  return balanced(disk, boundary, target, options, execution);
+}
+
+Start makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points2& image, const TargetMeasure& target,
+                const AuthalicMapOptions& options, bool given, const Execution& execution) {
   for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
     image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
   }
-  if (!given || farthestStar(disk, target, image) > kUsable) {
-    image = balancedStart(disk, image, target, options.solver, kWithinSight, execution);
-    image = reviveCollapsedFaces(disk, image, target, options.solver);
+  Start start;
+  if (given && farthestStar(disk, target, image) <= kUsable) {
+    UnfoldResult unfolded = unfold(disk.topology(), image, execution);
+    start = {std::move(unfolded.image), unfolded.flippedFaces};
+  } else {
+    start = stretchedOrBalanced(disk, image, target, options, execution);
   }
-  UnfoldResult unfolded = unfold(disk.topology(), std::move(image), execution);
-  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
-    throw GeometryError("An initial map that can be unfolded is required, but " +
-                        std::to_string(unfolded.flippedFaces) + " faces stay folded; take a convex domain.");
+  if (start.folded > 0 && !execution.cancelled()) {
+    throw GeometryError("An initial map that can be unfolded is required, but " + std::to_string(start.folded) +
+                        " faces stay folded; take a convex domain.");
   }
-  return std::move(unfolded.image);
+  return start;
+}
+
+// Of two images the one that converged, or whose faces are nearer to their targets; with the steps of both.
+AreaSolveResult better(AreaSolveResult first, AreaSolveResult second) {
+  const bool secondIsBetter = second.status == Status::Converged || second.faceResidual < first.faceResidual;
+  AreaSolveResult& best = secondIsBetter ? second : first;
+  AreaSolveResult& other = secondIsBetter ? first : second;
+  if (second.status == Status::Cancelled) best.status = Status::Cancelled;
+  best.iterations += other.iterations;
+  best.history.insert(secondIsBetter ? best.history.begin() : best.history.end(), other.history.begin(),
+                      other.history.end());
+  best.faceSeconds += other.faceSeconds;
+  best.vertexSeconds += other.vertexSeconds;
+  return std::move(best);
+}
+
+// A stretched start has half of the iterations; where they do not suffice, a balanced one has the rest.
+AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const TargetMeasure& target, const Start& start,
+                      const Points2& boundary, AuthalicMapOptions options, const Execution& execution) {
+  if (!start.stretched) return solveAreas(areas, disk.mesh(), target, start.image, options, execution);
+  const int all = options.maxIterations;
+  options.maxIterations = (all + 1) / 2;
+  AreaSolveResult solved = solveAreas(areas, disk.mesh(), target, start.image, options, execution);
+  options.maxIterations = all - solved.iterations;
+  if (solved.status == Status::Converged || solved.status == Status::Cancelled || options.maxIterations == 0) {
+    return solved;
+  }
+  const Start other = balanced(disk, boundary, target, options, execution.part(0.5, 0.6));
+  if (other.folded > 0) return solved;
+  return better(std::move(solved), solveAreas(areas, disk.mesh(), target, other.image, options,
+                                              execution.part(0.6, 1), Shapes::Free));
 }
 
 }  // namespace
@@ -83,15 +147,15 @@ AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
   const bool given = initial.size() > 0;
   const BoundaryPlacement placement = placed(disk, target, options.domain, initial);
   Points2 image = given ? initial : Points2(Points2::Zero(disk.mesh().vertexCount(), 2));
-  image = makeStart(disk, placement, std::move(image), target, options, given, execution.part(0, 0.2));
+  const Start start = makeStart(disk, placement, image, target, options, given, execution.part(0, 0.2));
   const SlidingBoundary sliding(placement, options.domain, image);
   const PlanarAreas areas(disk.mesh().faces(), sliding, disk.mesh().vertexCount());
   AuthalicMapResult result;
-  const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, target, image, options, execution.part(0.2, 1));
+  result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  AreaSolveResult solved = solve(areas, disk, target, start, image, options, execution.part(0.2, 1));
   result.image = solved.image;
+  solved.startSeconds = result.startSeconds;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
-  result.startSeconds = startSeconds;
   result.flippedFaces = countFlippedFaces(result.image, disk.mesh().faces());
   execution.report(1, "Authalic map");
   return result;

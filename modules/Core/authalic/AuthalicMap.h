@@ -17,7 +17,7 @@ struct AuthalicMapOptions {
   PlanarDomain domain;             ///< unit disk; for maps of a disk only
   double tolerance = 1e-2;         ///< of the face residual (D_area − 2)^½, > 0
   double vertexTolerance = 1e-10;  ///< of max |ln r_v| over vertex stars, > 0
-  int maxIterations = 150;         ///< face and vertex steps together, ≥ 0
+  int maxIterations = 300;         ///< face and vertex steps together, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -48,16 +48,20 @@ struct AuthalicMapResult : AuthalicSolution {
 
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.
 ///
-/// 1. *Start*: Tutte's map with room for ears on the circle, or `initial`, reweighted until areas are within sight
-/// (see makeRoomOnCircle and balancedStart in authalic/).
+/// 1. *Start*: `initial`, or rounds of the fixed point of the stretch energy @cite yueh2019 from the harmonic map,
+/// with
+///    room for ears on the circle; where that folds too much or does not get within sight of the areas, a reweighted
+///    Tutte map (see makeRoomOnCircle, stretchStart and balancedStart in authalic/).
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
-/// target m; inner vertices move freely, those of the boundary along it.
+///    target m, together with the Dirichlet energy of the map at a weight that falls to nothing: of the many
+///    area-preserving maps one with good angles. Inner vertices move freely, those of the boundary along it.
 /// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
 ///    step of Lie advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them
 ///    reach 1e-12.
 ///
 /// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on
-/// to half the residual; at most 5 rounds. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
+/// to half the residual; at most 5 rounds. What does not converge from the fixed point is tried again from the
+/// reweighted Tutte map, on areas alone. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
 /// that exact faces are within reach only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
 ///
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are
@@ -66,9 +70,8 @@ struct AuthalicMapResult : AuthalicSolution {
 ///
 /// Guarantees: no folded face on a convex domain, whatever the status; the boundary lies on that of the domain
 /// (pockets excepted, see BoundaryPlacement); when not converged, the best iterate with its residuals. Not
-/// guaranteed: a bound on angle distortion (area-preserving maps are not unique; the shortest steps keep it near
-/// that of the start). Complexity: one sparse factorisation of size 2 n per face step, one of size n per vertex
-/// step, O(n^1.5) each.
+/// guaranteed: a bound on angle distortion (measured, it is within a few per cent of that of the fixed point).
+/// Complexity: one sparse factorisation of size 2 n per face step, one of size n per vertex step, O(n^1.5) each.
 /// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or
 ///         the domain; SolverError when a system cannot be factorised
 [[nodiscard]] AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,

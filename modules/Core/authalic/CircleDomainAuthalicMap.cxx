@@ -235,7 +235,7 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   const Points2 start = makeStart(surface, target, areas, loops, options.concentric, conformal.image,
                                   execution.part(0.2, 0.3));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, target, start, options.solve, execution.part(0.3, 1));
+  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options.solve, execution.part(0.3, 1));
   result.image = solved.image;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;

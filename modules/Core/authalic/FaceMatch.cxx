@@ -1,15 +1,21 @@
 #include "Core/authalic/FaceMatch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace authalic {
 namespace {
 
 constexpr double kSmallestRatio = 1e-3;   // of face areas, in the weights
-constexpr double kPinned = 0.25;          // of the step: faces that collapse before twice this are slowed by themselves
+constexpr double kFullStep = 0.5;         // of the step: faces that collapse before are slowed by themselves
+constexpr double kSlowed = 0.5;           // of what would collapse a face
 constexpr double kMarginToFlip = 0.9;
+constexpr double kShorter = 0.7;  // than the step before, where that did not lower the objective
+constexpr int kAttempts = 24;
 constexpr double kCollapsesEarly = 1.5;  // of a step: faces that collapse before it get stiffer
+constexpr double kPullFalls = 0.35;      // per step
+constexpr double kEndPull = 1e-3;        // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
 ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
@@ -31,21 +37,49 @@ double flipFree(const AreaFunctional& areas, const Coordinates& image, const Coo
 
 }  // namespace
 
-FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend)
-    : areas_(areas), targets_(targets), assembly_(areas.unknownCount(), elementUnknowns(areas)),
-      solver_(backend, PatternUse::Reused), values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
+FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
+                     SolverBackend backend)
+    : areas_(areas), targets_(targets), importance_(faceImportance(targets)), shape_(areas, cotangents, importance_),
+      assembly_(areas.unknownCount(), elementUnknowns(areas)), solver_(backend, PatternUse::Reused),
+      values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
   solver_.analyze(assembly_.matrix());
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
 }
 
-double FaceMatch::energy(const Coordinates& image) const {
-  const Eigen::VectorXd a = areas_.areas(image);
-  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  const Eigen::ArrayXd share = a.array() / a.sum();
-  return ((share - targets_.array()).square() / share).sum();
+void FaceMatch::forgetShapes() noexcept {
+  importance_.setOnes();
+  pull_ = usualPull_ = 0;
 }
 
-double FaceMatch::residual(const Coordinates& image) const { return std::sqrt(energy(image)); }
+void FaceMatch::restart(double goal) noexcept {
+  failures_ = 0;
+  leastPull_ = usualPull_ * goal * goal;
+  endPull_ = kEndPull * leastPull_;
+}
+
+void FaceMatch::relax() noexcept {
+  leastDamping_ = std::max(0.3 * leastDamping_, kLeastDamping);
+  leastPull_ = std::max(0.3 * leastPull_, endPull_);
+}
+
+// m_t (r_t + 1/r_t − 2); infinite when a face is folded.
+Eigen::ArrayXd FaceMatch::faceErrors(const Eigen::VectorXd& areas) const {
+  if (!(areas.minCoeff() > 0)) {
+    return Eigen::ArrayXd::Constant(areas.size(), std::numeric_limits<double>::infinity());
+  }
+  const Eigen::ArrayXd share = areas.array() / areas.sum();
+  return (share - targets_.array()).square() / share;
+}
+
+double FaceMatch::objective(const Coordinates& image) const {
+  const Eigen::VectorXd a = areas_.areas(image);
+  const double areaPart = 0.5 * a.sum() * (importance_.array() * faceErrors(a)).sum();
+  return std::isfinite(areaPart) ? areaPart + pull_ * shape_.value(image) : areaPart;
+}
+
+double FaceMatch::residual(const Coordinates& image) const {
+  return std::sqrt(faceErrors(areas_.areas(image)).sum());
+}
 
 double FaceMatch::meanAbsLog(const Coordinates& image) const {
   const Eigen::VectorXd a = areas_.areas(image);
@@ -58,7 +92,7 @@ void FaceMatch::linearise(const Coordinates& image) {
   const Eigen::VectorXd a = areas_.areas(image);
   const double total = a.sum();
   const Eigen::ArrayXd ratio = (a.array() / (total * targets_.array())).max(kSmallestRatio);
-  weights_ = (1 + ratio) / (2 * ratio.square() * targets_.array() * total);
+  weights_ = importance_.array() * (1 + ratio) / (2 * ratio.square() * targets_.array() * total);
   right_ = Eigen::VectorXd::Zero(areas_.unknownCount());
   const Faces& faces = areas_.faces();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -68,20 +102,19 @@ void FaceMatch::linearise(const Coordinates& image) {
       if (u >= 0) right_[u] += pull * gradients_(f, k);
     }
   }
+  shape_.addDescent(image, frames_, pull_, right_);
 }
 
 void FaceMatch::fillElement(Eigen::Index face) {
-  const Faces& faces = areas_.faces();
-  const Eigen::Index dimension = frames_.cols() / 2;
+  const AreaFunctional::Directions directions = areas_.directions(frames_, static_cast<int>(face));
+  const double damping = damping_ * stiffness_[face];
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
-    const double* u = frames_.row(faces(face, a / 2)).data() + (a % 2) * dimension;
     for (int b = a; b < 6; ++b, ++value) {
-      const double* v = frames_.row(faces(face, b / 2)).data() + (b % 2) * dimension;
-      double product = 0;
-      for (Eigen::Index d = 0; d < dimension; ++d) product += u[d] * v[d];
+      const int k = a / 2, l = b / 2;
+      const double stiffness = (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
       *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
-               damping_ * stiffness_[face] * (a / 2 == b / 2 ? product : -0.5 * product);
+               stiffness * directions.row(a).dot(directions.row(b));
     }
   }
 }
@@ -92,14 +125,16 @@ Coordinates FaceMatch::step() {
   return areas_.displacement(frames_, solver_.solve(right_));
 }
 
-// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
+// A few thin triangles must not stop the whole map: their corners move by a part of what would collapse them.
 Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const {
   const Faces& faces = areas_.faces();
   for (int pass = 0; pass < 20; ++pass) {
     Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
     for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
-      const double half = 0.5 * areas_.firstFlip(image, displacement, f);
-      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
+      const double flip = areas_.firstFlip(image, displacement, f);
+      for (int k = 0; k < 3 && flip < kFullStep; ++k) {
+        part[faces(f, k)] = std::min(part[faces(f, k)], kSlowed * flip);
+      }
     }
     if (part.minCoeff() == 1) break;
     displacement.array().colwise() *= part.array();
@@ -122,16 +157,17 @@ void FaceMatch::adapt(double step) {
 
 double FaceMatch::advance(Coordinates& image) {
   linearise(image);
-  const double before = energy(image);
+  const double before = objective(image);
   const Coordinates wanted = step();
   stiffen(image, wanted);
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
   double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
-  for (int halving = 0; halving < 12; ++halving, part *= 0.5) {
+  for (int shorter = 0; shorter < kAttempts; ++shorter, part *= kShorter) {
     Coordinates next = areas_.moved(image, slowed, part);
-    if (!(energy(next) < before)) continue;
+    if (!(objective(next) < before)) continue;
     image = std::move(next);
     adapt(part);
+    pull_ = std::max(leastPull_, kPullFalls * pull_);
     return part;
   }
   adapt(0);

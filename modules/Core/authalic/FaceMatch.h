@@ -4,28 +4,34 @@
 
 #include <algorithm>
 
-#include "Core/authalic/AreaFunctional.h"
+#include "Core/authalic/ShapeEnergy.h"
 #include "Core/numerics/ElementAssembly.h"
 
 namespace authalic {
 
-/// Minimises E = Σ_t m_t (r_t + 1/r_t − 2) = D_area − 2, r = q / m, q = a / Σ a the image shares and m the targets.
+/// Brings F = Σ_t m_t (r_t + 1/r_t − 2) = D_area − 2 down, r = q / m, q = a / Σ a the image shares and m the targets,
+/// and of the images that are near their targets takes one with good shapes: it minimises
 ///
-/// One step solves (Levenberg–Marquardt)
+///     Φ = ½ S Σ_t ω_t m_t (r_t + 1/r_t − 2) + τ E(x),   S = Σ a,
 ///
-///     min_δ Σ_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + ε Σ_{edges ij} |δ_i − δ_j|²,   S = Σ a,
+/// with the importance ω of faces and the Dirichlet energy E of the map, see ShapeEnergy, for τ that falls from step to
+/// step. One step solves (Levenberg–Marquardt)
+///
+///     min_δ ½ Σ_t ω_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + τ E(x + δ) + ½ ε Σ_{edges ij} |δ_i − δ_j|²
 ///
 /// with φ_t = 2 r_t² / (1 + r_t) of the image before the step, so that the right-hand side is the exact gradient of
-/// E; moves by the part of δ that folds no face and lowers E (1/r is a barrier); and adapts ε: ×¼ after a long step,
+/// Φ; moves by the part of δ that folds no face and lowers Φ (1/r is a barrier); and adapts ε: ×¼ after a long step,
 /// ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in
 /// the steps to come: a triangle that moves rigidly stays.
 class FaceMatch {
  public:
-  /// @param targets  m shares > 0, sum 1
-  FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend);
+  /// @param targets     m shares > 0, sum 1
+  /// @param cotangents  of the surface
+  FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
+            SolverBackend backend);
 
   /// One step; `image` has no folded face and keeps none.
-  /// @return the part of δ taken, in (0, 1]; 0 when none lowered the energy
+  /// @return the part of δ taken, in (0, 1]; 0 when none lowered Φ
   double advance(Coordinates& image);
 
   /// (Σ m_t (r_t + 1/r_t − 2))^½ = (D_area − 2)^½ of an image; +infinity when a face is folded.
@@ -36,13 +42,18 @@ class FaceMatch {
 
   /// Five steps in a row were 0.
   [[nodiscard]] bool stalled() const noexcept { return failures_ > 4; }
-  void restart() noexcept { failures_ = 0, damping_ = kFirstDamping; }
-  /// Allows smaller ε than so far: slides along curves of equal area, which buy the last errors with shear.
-  void relax() noexcept { leastDamping_ = std::max(0.3 * leastDamping_, kLeastDamping); }
+  /// ω = 1 and τ = 0 from here on.
+  void forgetShapes() noexcept;
+  /// @param goal  residual to come: τ stops falling where it would matter no more
+  void restart(double goal) noexcept;
+  /// Allows smaller ε and τ than so far: slides along curves of equal area, which buy the last errors with shear.
+  void relax() noexcept;
 
  private:
-  static constexpr double kFirstDamping = 0.02, kUsualDamping = 3e-4, kLeastDamping = 1e-8;
-  [[nodiscard]] double energy(const Coordinates& image) const;
+  static constexpr double kFirstDamping = 0.02, kUsualDamping = 1e-4, kLeastDamping = 1e-8;
+  static constexpr double kFirstPull = 1e-2;
+  [[nodiscard]] Eigen::ArrayXd faceErrors(const Eigen::VectorXd& areas) const;
+  [[nodiscard]] double objective(const Coordinates& image) const;
   void linearise(const Coordinates& image);
   [[nodiscard]] Coordinates step();
   void fillElement(Eigen::Index face);
@@ -52,6 +63,8 @@ class FaceMatch {
 
   const AreaFunctional& areas_;
   const Eigen::VectorXd& targets_;
+  Eigen::VectorXd importance_;
+  ShapeEnergy shape_;
   ElementAssembly assembly_;
   SparseSolver solver_;
   std::vector<double> values_;
@@ -59,6 +72,8 @@ class FaceMatch {
   AreaFunctional::Gradients gradients_;
   Eigen::VectorXd weights_, right_, stiffness_;
   double damping_ = kFirstDamping, leastDamping_ = kUsualDamping;
+  double pull_ = kFirstPull, leastPull_ = 0, endPull_ = 0;
+  double usualPull_ = 1;  // leastPull_ by the square of the goal
   int failures_ = 0;
 };
 

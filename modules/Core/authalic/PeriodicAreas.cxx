@@ -42,6 +42,10 @@ AreaFunctional::Gradients PeriodicAreas::gradients(const Coordinates& image, con
   return result;
 }
 
+AreaFunctional::Corners PeriodicAreas::corners(const Coordinates& image, int face) const {
+  return AreaFunctional::corners(image, face) + shifts_.middleRows<3>(3 * face);
+}
+
 Coordinates PeriodicAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
   return image + t * displacement;
 }

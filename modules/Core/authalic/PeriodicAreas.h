@@ -16,6 +16,7 @@ class PeriodicAreas final : public AreaFunctional {
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
   [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
+  [[nodiscard]] Corners corners(const Coordinates& image, int face) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 

@@ -113,7 +113,7 @@ ToroidalAuthalicMapResult toroidalAuthalicMap(const TorusMesh& torus, const Targ
   const Points2 shifts = image.shifts(result.cut);
   const PeriodicAreas areas(faces, shifts, torus.mesh().vertexCount());
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, target, image.points, options, execution.part(0.3, 1));
+  AreaSolveResult solved = solveAreas(areas, torus.mesh(), target, image.points, options, execution.part(0.3, 1));
   image.points = solved.image;
   relaxLattice(torus.mesh(), result.cut, image);
   result.image = openImage(result.cut, faces, image);
