@@ -25,8 +25,8 @@ enum class StretchEnergyBoundary {
 struct StretchEnergyMapOptions {
   PlanarDomain domain;  ///< unit disk; must be the domain of the initial map
   StretchEnergyBoundary boundary = StretchEnergyBoundary::Inverted;
-  double tolerance = 1e-3;  ///< of the part by which one round lowers the residual, > 0
-  int maxIterations = 100;  ///< rounds, ≥ 0
+  double tolerance = 5e-3;  ///< of the part by which one round lowers the residual, > 0
+  int maxIterations = 200;  ///< rounds, ≥ 0
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
