@@ -14,7 +14,15 @@ AGREEMENT = {"D_area": ("area_distortion", 1e-6), "face_sd": ("face_area_ratio_s
 
 
 def timed(command):
-    """(exit code, user seconds, peak kB, stderr) of one run of a program."""
+    """(exit code, user seconds, peak kB, stderr) of one run of a program.
+
+    A process counts the memory of the one that forked it: a small one of its own has to do that.
+    """
+    done = subprocess.run([sys.executable, __file__, *command], capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def watch(command):
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
         words = process.stderr.read()
         _, status, usage = os.wait4(process.pid, 0)
@@ -56,3 +64,7 @@ def row(*cells):
 def head(*titles):
     """The first two lines of a Markdown table."""
     return row(*titles) + "\n" + "|---" * len(titles) + "|"
+
+
+if __name__ == "__main__":
+    print(json.dumps(watch(sys.argv[1:])))
