@@ -4,9 +4,9 @@
     area_methods.py COMMAND DATA [--mesh NAME ...] [--method NAME ...] [--judge PROGRAM]
 
 COMMAND is the built `authalic`, DATA the folder of real test data. Seconds are the user time of the whole command. With
---judge, PROGRAM SURFACE MAP must print JSON with the members D_area, face_sd, face_mean_abs_log, angle_err_deg and flips
-of an independent evaluation; the script fails when they differ from the report, or when the angles of authalic are more
-than 3 % above those of the fixed point of the stretch energy with --angles.
+--judge, PROGRAM SURFACE MAP must print JSON with the members D_area, face_sd, face_mean_abs_log, angle_err_deg and
+flips of an independent evaluation; the script fails when they differ from the report, and with --angles when the angle
+error of authalic is more than 3 % above that of the fixed point of the stretch energy.
 """
 import argparse
 import pathlib

@@ -3,8 +3,8 @@
 
     growth.py COMMAND DATA [--shape NAME ...] [--faces N ...] [--folder FOLDER] [--plot PICTURE.png]
 
-COMMAND is the built `authalic`, DATA the folder of real test data. A shape is subdivided (Loop) to at least 350,000 faces
-and decimated (quadric error) from there; meshes found in FOLDER are not made again. Seconds are the user time of
+COMMAND is the built `authalic`, DATA the folder of real test data. A shape is subdivided (Loop) to at least 350,000
+faces and decimated (quadric error) from there; meshes found in FOLDER are not made again. Seconds are the user time of
 `authalic map authalic`, memory its peak resident set. The exponent is that of the least-squares line through the
 logarithms. --plot draws both axes logarithmic, and needs an X server.
 """
@@ -24,6 +24,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 import runs
 
 DENSE = 350_000
+SHAPES = ("chinese_lion", "human_brain", "camelhead")
 COLOURS = [(0, 89, 178), (214, 94, 0), (0, 140, 90), (120, 60, 140)]
 
 
@@ -165,7 +166,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         options.folder = options.folder or pathlib.Path(folder)
         print(runs.head("shape", "faces", "status", "steps", "D_area − 2", "folds", "user s", "MB"))
-        tables = {shape: measured(options, shape) for shape in options.shape or ["chinese_lion", "human_brain", "camelhead"]}
+        tables = {shape: measured(options, shape) for shape in options.shape or SHAPES}
     for shape, table in tables.items():
         if len(table) > 1:
             print(f"\n{shape}: seconds grow as faces^{exponent(table[:, 0], table[:, 1]):.2f}, "

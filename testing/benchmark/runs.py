@@ -1,4 +1,4 @@
-"""Runs of the command for the tables of the documentation: their reports, CPU seconds and memory, and the judge's view."""
+"""Runs of the command for tables of the documentation: reports, CPU seconds, memory, and the judge's view."""
 import json
 import os
 import pathlib
