@@ -107,7 +107,7 @@ def draw(tables, picture):
     view, chart = vtkContextView(), vtkChartXY()
     view.GetScene().AddItem(chart)
     view.GetRenderWindow().SetSize(900, 600)
-    view.GetRenderWindow().SetMultiSamples(8)
+    view.GetRenderWindow().SetMultiSamples(0)
     first = min(table[0, 1] / table[0, 0] ** 1.3 for table in tables.values())
     x = np.array([1e4, 4e5])
     curves = {f"{shape} (exponent {exponent(t[:, 0], t[:, 1]):.2f})": t[:, :2] for shape, t in tables.items()}
@@ -144,12 +144,14 @@ def label_axis(axis, title, places):
     from vtkmodules.vtkCommonCore import vtkStringArray
     labels = vtkStringArray()
     for place in places:
-        labels.InsertNextValue(f"{place:,}")
+        labels.InsertNextValue(f"{place // 1000}K" if place >= 1000 else f"{place:g}")
     axis.SetTitle(title)
     axis.SetBehavior(1)
-    axis.SetRange(np.log10(places[0]), np.log10(places[-1]))
+    axis.SetRange(np.log10(places[0]), np.log10(places[-1]) + 0.05)
     axis.SetCustomTickPositions(numpy_to_vtk(np.log10(np.array(places, dtype=float)), deep=1), labels)
     for text in (axis.GetTitleProperties(), axis.GetLabelProperties()):
+        text.SetFontFamilyToArial()
+        text.SetBold(False)
         text.SetFontSize(16)
 
 
