@@ -61,6 +61,8 @@ class MapFamily {
 [[nodiscard]] std::unique_ptr<MapFamily> barycentricFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieFlowFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> lieAdvectionFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> stretchFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> stretchEnergyFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> authalicFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> conformalFlowFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> leastSquaresConformalFamily();

@@ -15,6 +15,8 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   families.push_back(authalicFamily());
   families.push_back(lieFlowFamily());
   families.push_back(lieAdvectionFamily());
+  families.push_back(stretchEnergyFamily());
+  families.push_back(stretchFamily());
   families.push_back(conformalFlowFamily());
   families.push_back(leastSquaresConformalFamily());
   families.push_back(symmetricDirichletFamily());
@@ -62,6 +64,7 @@ VerbHelp mapHelp(const MapOptions& o) {
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
                      "Tutte 1963; Pinkall and Polthier 1993; Floater 2003",
+                     "Yoshizawa, Belyaev, Seidel 2004 (stretch); Yueh, Lin, Wu, Yau 2019 (stretch-energy)",
                      "Gu et al. 2004; Haker et al. 2000; Kazhdan et al. 2012; Nadeem et al. 2017 (spheres)"};
   return help;
 }

@@ -388,6 +388,7 @@ class Results(CommandLine):
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
         fixtures = pathlib.Path(ARGUMENTS.fixtures)
         surfaces = {"bumpy_disk.off": ("tutte", "harmonic", "mean-value", "lie-flow", "lie-advection", "authalic",
+                                       "stretch", "stretch-energy",
                                        "riemann", "yamabe", "lscm", "slim"),
                     "bent_tube.off": ("annulus", "circle-domain"), "folded_sphere.off": ("sphere", "welding")}
         for disk, method in ((fixtures / name, method) for name, methods in surfaces.items() for method in methods):

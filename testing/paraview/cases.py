@@ -25,6 +25,8 @@ CASES = [
     ("polygon", "BarycentricMap", DISK, {"Domain": 3, "PolygonCorner": [(0, 0), (4, 0), (0, 5)]}),
     ("flow", "DiscreteLieFlow", DISK, {}),
     ("advected", "LieAdvection", DISK, {"NumberOfSteps": 10, "Domain": 1}),
+    ("stretched", "StretchMinimisation", DISK, {"Weights": 0, "Domain": 1}),
+    ("fixedpoint", "StretchEnergyMap", DISK, {"Boundary": 1, "MaximumIterations": 20}),
     ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
     ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2}),
     ("ball", "SurfaceFileReader", [], {"FileName": "FIXTURES/folded_sphere.off"}),

@@ -7,20 +7,10 @@
 
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
-#include "Core/geometry/Laplacian.h"
 #include "Core/initial/BarycentricSystem.h"
 
 namespace authalic {
 namespace {
-
-// Weight of each half-edge seen from its tail (forward) and from its head (backward).
-MeanValueWeights weightsOf(const TriangleMesh& mesh, BarycentricWeights kind) {
-  if (kind == BarycentricWeights::MeanValue) return meanValueWeights(mesh);
-  HalfEdgeWeights weights = kind == BarycentricWeights::Harmonic
-                                ? cotangentWeights(mesh)
-                                : HalfEdgeWeights(HalfEdgeWeights::Constant(mesh.faceCount(), 3, 0.5));
-  return {weights, weights};
-}
 
 double residualOf(const DiskMesh& disk, const MeanValueWeights& weights, const Points2& image) {
   const Faces& faces = disk.mesh().faces();
@@ -54,6 +44,14 @@ const char* barycentricWeightsName(BarycentricWeights weights) noexcept {
   return "mean-value";
 }
 
+MeanValueWeights barycentricWeights(const TriangleMesh& surface, BarycentricWeights weights) {
+  if (weights == BarycentricWeights::MeanValue) return meanValueWeights(surface);
+  HalfEdgeWeights both = weights == BarycentricWeights::Harmonic
+                             ? cotangentWeights(surface)
+                             : HalfEdgeWeights(HalfEdgeWeights::Constant(surface.faceCount(), 3, 0.5));
+  return {both, both};
+}
+
 void BarycentricMapOptions::validate() const {
   if (startVertex < -1) {
     throw InvalidArgument("A start vertex of at least -1 is required, but it is " + std::to_string(startVertex) + ".");
@@ -76,7 +74,7 @@ BarycentricMapResult barycentricMap(const DiskMesh& disk, const BarycentricMapOp
     result.image.row(result.boundary.vertices[i]) = result.boundary.points.row(static_cast<Eigen::Index>(i));
   }
   execution.throwIfCancelled();
-  const MeanValueWeights weights = weightsOf(disk.mesh(), options.weights);
+  const MeanValueWeights weights = barycentricWeights(disk.mesh(), options.weights);
   const std::vector<char>& held = disk.topology().onBoundary();
   if (options.weights == BarycentricWeights::MeanValue) {
     solveBarycentric(disk.mesh().faces(), weights, held, options.solver, result.image);

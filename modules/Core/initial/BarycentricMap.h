@@ -6,6 +6,7 @@
 
 #include "Core/base/Execution.h"
 #include "Core/base/Status.h"
+#include "Core/geometry/Laplacian.h"
 #include "Core/geometry/PlanarDomain.h"
 #include "Core/initial/BoundaryPlacement.h"
 #include "Core/mesh/DiskMesh.h"
@@ -22,6 +23,9 @@ enum class BarycentricWeights {
 
 /// "tutte", "harmonic", "mean-value".
 [[nodiscard]] const char* barycentricWeightsName(BarycentricWeights weights) noexcept;
+
+/// w_ij of every half-edge seen from its tail and from its head; both are the same but for MeanValue.
+[[nodiscard]] MeanValueWeights barycentricWeights(const TriangleMesh& surface, BarycentricWeights weights);
 
 struct BarycentricMapOptions {
   BarycentricWeights weights = BarycentricWeights::MeanValue;

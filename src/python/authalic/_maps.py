@@ -36,6 +36,8 @@ METHODS: dict[str, Method] = {
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
+    "stretch-energy": Method("vtkStretchEnergyMap"),
+    "stretch": Method("vtkStretchMinimisation"),
     "riemann": Method("vtkRiemannMap"),
     "yamabe": Method("vtkYamabeMap"),
     "lscm": Method("vtkLeastSquaresConformalMap"),
@@ -128,7 +130,8 @@ def flatten(points: Any,
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
-                "lie-flow", "lie-advection": methods of the literature for it;
+                "lie-flow", "lie-advection", "stretch-energy": methods of the literature for it; "stretch": one for
+                little stretch;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
                 "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
