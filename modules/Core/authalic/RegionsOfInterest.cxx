@@ -83,7 +83,7 @@ class ShareSolve {
   [[nodiscard]] RegionsOfInterestDensity result(const Eigen::VectorXd& base) const {
     const Eigen::VectorXd areas = faceAreas(surface_);
     RegionsOfInterestDensity density;
-    density.faces = meanOnFaces(logDensity_.array().exp().matrix());
+    density.faces = meanOfCorners(surface_, logDensity_.array().exp().matrix());
     if (base.size() > 0) density.faces = density.faces.cwiseProduct(base);
     density.factors = exponents_.array().exp();
     density.targetShares = targets_;
@@ -122,8 +122,8 @@ class ShareSolve {
   double improve(std::size_t r) {
     const auto index = static_cast<Eigen::Index>(r);
     const Eigen::VectorXd density = logDensity_.array().exp();
-    Eigen::VectorXd masses = measure_.cwiseProduct(meanOnFaces(density));
-    const Eigen::VectorXd changes = measure_.cwiseProduct(meanOnFaces(density.cwiseProduct(weights_[r])));
+    Eigen::VectorXd masses = measure_.cwiseProduct(meanOfCorners(surface_, density));
+    const Eigen::VectorXd changes = measure_.cwiseProduct(meanOfCorners(surface_, density.cwiseProduct(weights_[r])));
     masses = masses.cwiseMax(TargetMeasure::smallestTarget(masses));
     const double in = inside(masses, r), out = masses.sum() - in;
     const double inChange = inside(changes, r), outChange = changes.sum() - inChange;
@@ -144,15 +144,6 @@ class ShareSolve {
 
   [[nodiscard]] double inside(const Eigen::VectorXd& masses, std::size_t r) const {
     return regionMeasure(masses, surface_.faces(), regions_[r].inside);
-  }
-
-  [[nodiscard]] Eigen::VectorXd meanOnFaces(const Eigen::VectorXd& ofVertices) const {
-    Eigen::VectorXd means(surface_.faceCount());
-    for (int f = 0; f < means.size(); ++f) {
-      const auto corners = surface_.faces().row(f);
-      means[f] = (ofVertices[corners[0]] + ofVertices[corners[1]] + ofVertices[corners[2]]) / 3;
-    }
-    return means;
   }
 
   const TriangleMesh& surface_;

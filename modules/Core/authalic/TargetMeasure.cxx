@@ -36,15 +36,6 @@ void requireBalance(const Eigen::VectorXd& t, int count) {
   }
 }
 
-Eigen::VectorXd meanOfCorners(const TriangleMesh& surface, const Eigen::VectorXd& ofVertices) {
-  Eigen::VectorXd ofFace(surface.faceCount());
-  for (int f = 0; f < surface.faceCount(); ++f) {
-    const auto corners = surface.faces().row(f);
-    ofFace[f] = (ofVertices[corners[0]] + ofVertices[corners[1]] + ofVertices[corners[2]]) / 3;
-  }
-  return ofFace;
-}
-
 }  // namespace
 
 TargetMeasure::TargetMeasure(const TriangleMesh& surface)
@@ -103,6 +94,15 @@ void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {
   throw GeometryError("A target measure for the " + std::to_string(surface.faceCount()) +
                       " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
                       "; build it from the same surface.");
+}
+
+Eigen::VectorXd meanOfCorners(const TriangleMesh& surface, const Eigen::VectorXd& ofVertices) {
+  Eigen::VectorXd ofFace(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    const auto corners = surface.faces().row(f);
+    ofFace[f] = (ofVertices[corners[0]] + ofVertices[corners[1]] + ofVertices[corners[2]]) / 3;
+  }
+  return ofFace;
 }
 
 Eigen::VectorXd curvatureDensity(const TriangleMesh& surface, const Eigen::VectorXd& curvature, double weight) {

@@ -60,6 +60,11 @@ class TargetMeasure {
   int clampedFaces_ = 0;
 };
 
+/// The mean of the three corners of every face, as a face takes a density or a balance of its vertices.
+/// @param ofVertices  n values
+/// @return m values
+[[nodiscard]] Eigen::VectorXd meanOfCorners(const TriangleMesh& surface, const Eigen::VectorXd& ofVertices);
+
 /// @throws GeometryError when the target was made for a surface with other numbers of faces and vertices
 void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target);
 
