@@ -2,8 +2,8 @@
  * @class vtkCurvatureDensity
  * @brief A density for maps that gives places where the surface bends a larger share: part area, part |curvature|.
  *
- * The measure is (1 - Weight) A / sum A + Weight A |k| / sum A |k|, with the areas A of vertex stars and a curvature k per
- * vertex: an array, or the Gaussian curvature from the angle defects.
+ * The measure is (1 - Weight) A / sum A + Weight A |k| / sum A |k|, with the areas A of vertex stars and a
+ * curvature k per vertex: an array, or the Gaussian curvature from the angle defects.
  *
  * | port | what |
  * |---|---|

@@ -55,7 +55,8 @@ class AuthalicFamily : public MapFamily {
     }
     const auto weight = balanceNumber();
     if (weight && !(*weight >= 0 && *weight <= 1)) {
-      throw Failure(UsageProblem, "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *balance_ + ".");
+      throw Failure(UsageProblem,
+                    "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *balance_ + ".");
     }
     if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
     if (!holeAreas_.empty()) {

@@ -63,7 +63,7 @@ void setArray(vtkRegionDensity* filter, const std::string& region, vtkSmartPoint
               const Session& session) {
   const std::size_t colon = isThere(surface, region) ? std::string::npos : region.rfind(':');
   filter->SetRegionArrayName(arrayOf(surface, region.substr(0, colon), session));
-  filter->SetRegionLabel(region);
+  filter->SetRegionLabel(region.substr(region.find_last_of('/') + 1));
   const std::string what = colon == std::string::npos ? std::string() : region.substr(colon + 1);
   double value = 0;
   const bool named =

@@ -164,7 +164,7 @@ TEST(RegionsOfInterest, BrushReachesOnlyTheSheetThatItTouches) {
   }
   EXPECT_NE(refusal([&] {
               (void)ballOnSurface(sheets, {5, 5, 40}, 3);
-            }).find("39 mm from its centre"),
+            }).find("39 mm away"),
             std::string::npos);
   EXPECT_NE(refusal([&] { (void)ballOnSurface(sheets, {5, 5, 0}, -3); }).find("radius above 0"), std::string::npos);
 }

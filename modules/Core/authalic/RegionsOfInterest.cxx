@@ -22,6 +22,8 @@ std::string shown(double value) {
   return out.str();
 }
 
+std::string placeOf(const Eigen::Vector3d& p) { return shown(p[0]) + ", " + shown(p[1]) + ", " + shown(p[2]); }
+
 void requireRegion(const RegionOfInterest& region, int vertexCount) {
   const std::string name = "Region '" + region.name + "'";
   if (region.inside.size() != static_cast<std::size_t>(vertexCount)) {
@@ -161,10 +163,10 @@ int nearestVertex(const TriangleMesh& surface, const Eigen::Vector3d& centre, do
   const double away =
       std::sqrt((surface.points().rowwise() - centre.transpose()).rowwise().squaredNorm().minCoeff(&nearest));
   if (away > radius) {
-    const Eigen::Vector3d place = surface.point(static_cast<int>(nearest));
-    throw InvalidArgument("A brush must reach the surface, but the nearest vertex is " + shown(away) +
-                          " mm from its centre, at " + shown(place[0]) + ", " + shown(place[1]) + ", " +
-                          shown(place[2]) + ", and its radius is " + shown(radius) + " mm.");
+    throw InvalidArgument("A brush must reach the surface, but the nearest vertex to its centre (" + placeOf(centre) +
+                          ") is " + shown(away) + " mm away, at (" +
+                          placeOf(surface.point(static_cast<int>(nearest))) + "), and its radius is " +
+                          shown(radius) + " mm.");
   }
   return static_cast<int>(nearest);
 }
