@@ -355,8 +355,8 @@ class MeasureControl(unittest.TestCase):
             self.assertAlmostEqual(self.star_share(result.image, self.east), 4 * s / (4 * s + 1 - s), delta=1e-9)
 
     def test_several_regions_hold_together(self):
-        result = authalic.flatten(self.points, self.faces,
-                                  roi=[(self.east, 4), (("sphere", -20, 0, -9, 8), 0.5), (("geodesic", 0, 0, 21, 8), 2)])
+        regions = [(self.east, 4), (("sphere", -20, 0, -9, 8), 0.5), (("geodesic", 0, 0, 21, 8), 2)]
+        result = authalic.flatten(self.points, self.faces, roi=regions)
         regions = result.report["regions"]
         self.assertEqual([r["factor"] for r in regions], [4, 0.5, 2])
         for region in regions:

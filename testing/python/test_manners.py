@@ -115,7 +115,7 @@ CASES = {
                                        adders={"AddHoleArea": (150.0,)}),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
-    "vtkRegionDensity": Case((disk,), {"RegionArrayName": "Kept", "Blend": 5.0}, stops=False,
+    "vtkRegionDensity": Case((disk,), {"RegionMode": 1, "Radius": 25.0, "Blend": 5.0}, stops=False,
                              adders={"AddRegionValue": (3.5,), "AddRegionName": ("one",)}),
     "vtkCurvatureDensity": Case((ball,), stops=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),

@@ -117,9 +117,7 @@ def flatten(points: Any,
             tolerance: Optional[float] = None,
             max_iterations: Optional[int] = None,
             *,
-            roi: Any = None,
-            roi_blend: float = 0.0,
-            balance: Any = None,
+            roi: Any = None, roi_blend: float = 0.0, balance: Any = None,
             hole_areas: Any = None,
             threads: int = 0,
             progress: Progress = None,
@@ -172,10 +170,7 @@ def flatten(points: Any,
     """
     if on_not_converged not in ("warn", "raise", "ignore"):
         raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
-    if method not in METHODS:
-        raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
-    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus
-        method, domain = f"{method}-{domain}", None
+    method, domain = _method_and_domain(method, domain)
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
@@ -188,14 +183,27 @@ def flatten(points: Any,
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
     kind, doubts = _filters.run(algorithm, progress)
-    result = SurfaceMap.from_filter(algorithm)
+    return _judged(SurfaceMap.from_filter(algorithm), kind, doubts, on_not_converged)
+
+
+def _method_and_domain(method, domain):
+    """The method, and the domain that its filter is to be told; "sphere" and "torus" are methods of their own."""
+    if method not in METHODS:
+        raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
+    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:
+        return f"{method}-{domain}", None
+    return method, domain
+
+
+def _judged(result, kind, doubts, on_not_converged):
+    """The result, after what its filter doubted was said to the caller of flatten()."""
     if kind == _filters.NOT_CONVERGED:
         sentence = doubts.pop()
         if on_not_converged == "raise":
             raise NotConverged(sentence, result)
         if on_not_converged == "warn":
-            _filters.warn([sentence], NotConvergedWarning)
-    _filters.warn(doubts)
+            _filters.warn([sentence], NotConvergedWarning, stacklevel=4)
+    _filters.warn(doubts, stacklevel=4)
     return result
 
 
