@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -147,6 +148,8 @@ void vtkRegionDensity::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Region: " << this->Label() << "\n";
   os << indent << "RegionMode: " << this->RegionMode << "\n";
   os << indent << "RegionArrayName: " << this->RegionArrayName << "\n";
+  os << indent << "Centre: " << this->Centre[0] << " " << this->Centre[1] << " " << this->Centre[2] << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Factor: " << this->Factor << "\n";
   os << indent << "Blend: " << this->Blend << "\n";
   os << indent << "MeasureArrayName: " << this->MeasureArrayName << "\n";
