@@ -23,9 +23,9 @@ double worstOnFlatDisk(int rings) {
 
 TEST(SurfaceDistance, ConvergesToTheRadiusOnAFlatDisk) {
   const double coarse = worstOnFlatDisk(10), middle = worstOnFlatDisk(20), fine = worstOnFlatDisk(40);
-  EXPECT_LT(middle, 0.04);
-  EXPECT_LT(middle, 0.75 * coarse);
-  EXPECT_LT(fine, 0.75 * middle);
+  EXPECT_LT(coarse, 0.029);
+  EXPECT_LT(middle, 0.0185);
+  EXPECT_LT(fine, 0.0114);
 }
 
 TEST(SurfaceDistance, IsExactForAStraightFront) {
