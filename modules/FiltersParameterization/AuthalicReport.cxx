@@ -26,6 +26,15 @@ MapReport describeAuthalicMap(const AuthalicSolution& result, vtkPolyData* map) 
   return report;
 }
 
+void describeBalance(const Balance& balance, Json& options, vtkPolyData* map) {
+  if (!balance.array.empty()) {
+    options.set("balance", balance.array);
+    return;
+  }
+  options.set("balance", balance.everywhere);
+  addField(map, "Balance", balance.everywhere);
+}
+
 void addAuthalicOptions(Json& options, const AuthalicMapOptions& values) {
   options.set("tolerance", values.tolerance);
   options.set("vertex_tolerance", values.vertexTolerance);

@@ -13,6 +13,7 @@
 #include "Conversion.h"
 #include "FieldArrays.h"
 #include "HistogramArrays.h"
+#include "RegionArrays.h"
 
 namespace authalic {
 namespace {
@@ -65,6 +66,7 @@ Distortion fillMap(vtkPolyData* input, vtkPolyData* map, const TriangleMesh& sur
   addArray(map->GetPointData(), "OriginalPoints", surface.points());
   setPoints(map, image);
   addDistortion(map, distortion);
+  addRegionShares(map, surface, distortion.arrays, target);
   return distortion;
 }
 
@@ -75,6 +77,7 @@ SphericalDistortion fillMap(vtkPolyData* input, vtkPolyData* map, const Triangle
   addArray(map->GetPointData(), "OriginalPoints", surface.points());
   setPoints(map, image);
   addDistortion(map, {distortion.arrays, distortion.summary});
+  addRegionShares(map, surface, distortion.arrays, target);
   addField(map, "Coverage", distortion.coverage);
   addField(map, "FlatAreaDistortion", distortion.flatSummary.areaDistortion);
   addField(map, "SphericalAngleError", distortion.sphericalAngleError);
@@ -93,6 +96,7 @@ Distortion fillOpenedMap(vtkPolyData* input, vtkPolyData* map, const OpenedFaces
   addArray(map->GetPointData(), "OriginalPoints", surface.points());
   setPoints(map, image);
   addDistortion(map, distortion);
+  addRegionShares(map, surface, distortion.arrays, target);
   return distortion;
 }
 
@@ -118,6 +122,13 @@ TargetMeasure targetMeasureOf(vtkPolyData* surface, const TriangleMesh& mesh, co
   }
   return TargetMeasure::fromVertexDensity(
       mesh, toVector(requireArray(surface->GetPointData(), densityArray, 1, "measure")));
+}
+
+TargetMeasure balancedTarget(vtkPolyData* surface, const TriangleMesh& mesh, const TargetMeasure& target,
+                             const Eigen::VectorXd& conformalAreas, const Balance& balance) {
+  if (balance.array.empty()) return target.blended(mesh, conformalAreas, balance.everywhere);
+  return target.blended(mesh, conformalAreas,
+                        toVector(requireArray(surface->GetPointData(), balance.array, 1, "balance")));
 }
 
 }  // namespace authalic

@@ -21,7 +21,8 @@ namespace authalic {
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void addDistortion(vtkPolyData* map, const Distortion& distortion);
 
 /// Makes `map` the image of `input`: the arrays of `input` pass through, points become `image` (z = 0, double),
-/// `OriginalPoints` holds the surface, and the distortion arrays are added.
+/// `OriginalPoints` holds the surface, and the distortion arrays are added; where `input` has regions of interest, also
+/// their shares (RegionArrays.h).
 /// @param target  m target measures, or empty for the surface areas
 VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT Distortion fillMap(vtkPolyData* input, vtkPolyData* map,
                                                              const TriangleMesh& surface, const Points2& image,
@@ -55,5 +56,18 @@ VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT void imageToTextureCoordinates(vtkPoly
 [[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TargetMeasure targetMeasureOf(vtkPolyData* surface,
                                                                                       const TriangleMesh& mesh,
                                                                                       const std::string& densityArray);
+
+/// How much the areas weigh against the angles of a conformal map: one number, or a point array.
+struct Balance {
+  double everywhere = 1;
+  std::string array;  ///< empty: `everywhere`
+  [[nodiscard]] bool whole() const { return array.empty() && everywhere == 1; }
+};
+
+/// TargetMeasure::blended() by that balance.
+/// @throws InvalidArgument when there is no such array, or as blended()
+[[nodiscard]] VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT TargetMeasure balancedTarget(
+    vtkPolyData* surface, const TriangleMesh& mesh, const TargetMeasure& target, const Eigen::VectorXd& conformalAreas,
+    const Balance& balance);
 
 }  // namespace authalic

@@ -76,12 +76,14 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   start.domain = options.domain;
   authalic::Points2 initial;  // empty: Core starts from Tutte's map
   authalic::TargetMeasure wanted = target;
-  if (this->Balance < 1) {
+  const authalic::Balance balance{this->Balance, this->BalanceArrayName};
+  if (!balance.whole()) {
     initial = conformalImage(disk, this->Domain, execution.part(0, 0.1));
-    wanted = target.blended(disk.mesh(), authalic::signedFaceAreas(initial, disk.mesh().faces()), this->Balance);
+    const Eigen::VectorXd areas = authalic::signedFaceAreas(initial, disk.mesh().faces());
+    wanted = authalic::balancedTarget(input, disk.mesh(), target, areas, balance);
   }
   if (given) initial = authalic::toPlanarPoints(given);
-  else if (this->Balance == 1 && this->InitialMethod != TUTTE) {
+  else if (balance.whole() && this->InitialMethod != TUTTE) {
     initial = authalic::barycentricMap(disk, start, execution.part(0, 0.1)).image;
   }
   const authalic::AuthalicMapResult result =
@@ -91,9 +93,9 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
-  const char* startName = this->Balance < 1 ? "riemann" : authalic::barycentricWeightsName(start.weights);
-  report.options.set("initial", given ? "given" : startName).set("balance", this->Balance);
-  authalic::addField(output, "Balance", this->Balance);
+  const char* startName = balance.whole() ? authalic::barycentricWeightsName(start.weights) : "riemann";
+  report.options.set("initial", given ? "given" : startName);
+  authalic::describeBalance(balance, report.options, output);
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
 }
@@ -102,6 +104,7 @@ void vtkAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InitialMethod: " << this->InitialMethod << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
+  os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "VertexTolerance: " << this->VertexTolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";

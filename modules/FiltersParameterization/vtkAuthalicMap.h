@@ -16,7 +16,7 @@
  * | association | name | components, type | meaning |
  * |---|---|---|---|
  * | field | Method | 1 string | authalic |
- * | field | Balance | 1 double | as set |
+ * | field | Balance | 1 double | as set; without BalanceArrayName |
  * | field | FaceResidual | 1 double | (Σ m (r + 1/r − 2))^½ over faces, r = image share / target share |
  * | field | VertexResidual | 1 double | max of the absolute logarithm of r over vertex stars |
  *
@@ -29,6 +29,8 @@
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkDiskMapAlgorithm.h"
+
+#include <string> // for BalanceArrayName
 
 namespace authalic
 {
@@ -69,6 +71,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Point array of weights, 0 to 1 at every vertex, that takes the place of Balance: the balance from place to place.
+   * Empty = Balance everywhere. Domain DISK only. Default empty.
+   */
+  vtkSetMacro(BalanceArrayName, std::string);
+  vtkGetMacro(BalanceArrayName, std::string);
+  ///@}
+
+  ///@{
   /** Of the face residual (Σ m (r + 1/r − 2))^½ = (D_area − 2)^½, > 0. Default: authalic::AuthalicMapOptions,
    * as below. */
   vtkSetMacro(Tolerance, double);
@@ -96,6 +107,7 @@ protected:
 
   int InitialMethod = TUTTE;
   double Balance = 1.0;
+  std::string BalanceArrayName;
   double Tolerance;
   double VertexTolerance;
   int MaximumIterations;

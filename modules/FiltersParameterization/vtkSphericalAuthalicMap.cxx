@@ -1,5 +1,8 @@
 #include "vtkSphericalAuthalicMap.h"
 
+#include <string>
+#include <utility>
+
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -8,10 +11,27 @@
 #include "AuthalicReport.h"
 #include "Conversion.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/base/Error.h"
+#include "Core/conformal/SphericalConformalMap.h"
+#include "Core/geometry/SphericalAreas.h"
 #include "Core/mesh/SphereMesh.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkSphericalAuthalicMap);
+
+namespace {
+
+authalic::Points3 conformalImage(const authalic::SphereMesh& sphere, const authalic::Execution& execution) {
+  authalic::SphericalMapResult conformal = authalic::sphericalConformalMap(sphere, {}, execution);
+  if (conformal.status == authalic::Status::Cancelled) throw authalic::CancelledError();
+  if (conformal.flippedFaces > 0) {
+    throw authalic::GeometryError("A conformal map without folds is required for a balance below 1, but " +
+                                  std::to_string(conformal.flippedFaces) + " faces of it are folded.");
+  }
+  return std::move(conformal.image);
+}
+
+}  // namespace
 
 vtkSphericalAuthalicMap::vtkSphericalAuthalicMap() { this->SetNumberOfInputPorts(2); }
 
@@ -29,9 +49,17 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   const authalic::AuthalicMapOptions options = this->Options();
   const authalic::SphereMesh sphere(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, sphere.mesh(), this->MeasureArrayName);
-  const authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
-  const authalic::SphericalAuthalicMapResult result =
-      authalic::sphericalAuthalicMap(sphere, target, options, initial, execution);
+  authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
+  authalic::TargetMeasure wanted = target;
+  const authalic::Balance balance{this->Balance, this->BalanceArrayName};
+  if (!balance.whole()) {
+    const authalic::Points3 conformal = conformalImage(sphere, execution.part(0, 0.3));
+    const Eigen::VectorXd areas = authalic::signedSolidAngles(conformal, sphere.mesh().faces());
+    wanted = authalic::balancedTarget(input, sphere.mesh(), target, areas, balance);
+    if (!given) initial = conformal;
+  }
+  const authalic::SphericalAuthalicMapResult result = authalic::sphericalAuthalicMap(
+      sphere, wanted, options, initial, execution.part(balance.whole() ? 0 : 0.3, 1));
   const authalic::SphericalDistortion distortion =
       authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
@@ -39,7 +67,14 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());
   report.options.set("domain", "sphere");
   report.options.set("measure", this->MeasureArrayName);
-  report.options.set("initial", given ? "given" : "two-caps");
+  report.options.set("initial", given ? "given" : balance.whole() ? "two-caps" : "conformal");
+  authalic::describeBalance(balance, report.options, output);
   authalic::addAuthalicOptions(report.options, options);
   this->Publish(output, report);
+}
+
+void vtkSphericalAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Balance: " << this->Balance << "\n";
+  os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
 }

@@ -6,6 +6,7 @@
 #include "FilterGuard.h"
 #include "HistogramArrays.h"
 #include "MapArrays.h"
+#include "RegionArrays.h"
 #include "Reports/MapReport.h"
 
 int vtkSurfaceMapAlgorithm::RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -20,6 +21,7 @@ void vtkSurfaceMapAlgorithm::Publish(vtkPolyData* map, const authalic::MapReport
   if (this->OutputMode == TEXTURE_COORDINATES) authalic::imageToTextureCoordinates(map);
   authalic::MapReport complete = report;
   complete.histograms = authalic::histogramsOf(map);
+  if (const auto regions = authalic::regionsReport(map)) complete.more.set("regions", *regions);
   this->Report = authalic::mapReport(complete).text();
   this->ErrorKind = authalic::reportStatus(this, map, report.status, report.iterations);
 }

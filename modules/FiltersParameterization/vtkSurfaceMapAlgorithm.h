@@ -28,6 +28,10 @@
  * | field | AngleErrorStandardDeviation, QuasiConformal…, Beltrami… | 1 double | degrees, –, – | over corners, faces, faces |
  * | field | AngleErrorPercentiles, QuasiConformal…, Beltrami… | 1 double, 7 tuples | degrees, –, – | 5, 25, 50, 75, 95, 99 %, maximum |
  * | field | VertexAreaHistogram, FaceAreaHistogram, AngleRatioHistogram, AngleErrorHistogram, BeltramiHistogram | 3 double, a tuple per bin | | lower edge, upper edge, count: see authalic::DistortionHistograms; then the values below, above, undefined |
+ *
+ * Where the input has regions of interest (vtkRegionDensity), the fields RegionSourceShares, RegionTargetShares and
+ * RegionImageShares (1 double each) hold their shares of the surface, the measure and the image, and the report has
+ * `regions`.
  */
 #ifndef vtkSurfaceMapAlgorithm_h
 #define vtkSurfaceMapAlgorithm_h

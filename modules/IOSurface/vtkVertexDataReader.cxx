@@ -1,5 +1,8 @@
 #include "vtkVertexDataReader.h"
 
+#include <algorithm>
+
+#include <vtkDataArray.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -43,13 +46,25 @@ struct Target {
   std::string name;  ///< asked for by the user; may be empty
   vtkPolyData* output;
 
-  void requireCount(std::size_t found) const {
+  /// The vertices of the surface that `output` was cut from; empty when it was not.
+  [[nodiscard]] std::vector<int> originals() const {
+    vtkDataArray* ids = output->GetPointData()->GetArray("OriginalPointIds");
+    return ids ? authalic::toIntegers(ids) : std::vector<int>();
+  }
+  /// One value for each vertex: those of the file, or of a cut surface those of its original vertices.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> onVertices(const std::vector<Value>& values) const {
     const auto n = static_cast<std::size_t>(output->GetNumberOfPoints());
-    if (found != n) {
+    if (values.size() == n) return values;
+    const std::vector<int> ids = originals();
+    if (ids.empty() || static_cast<std::size_t>(*std::max_element(ids.begin(), ids.end())) >= values.size()) {
       throw authalic::GeometryError(path + ": One value for each of the " + std::to_string(n) +
                                     " vertices of the surface is needed, but the file holds " +
-                                    std::to_string(found) + "; it belongs to another surface.");
+                                    std::to_string(values.size()) + "; it belongs to another surface.");
     }
+    std::vector<Value> result;
+    for (const int id : ids) result.push_back(values[static_cast<std::size_t>(id)]);
+    return result;
   }
   [[nodiscard]] std::string nameOr(const std::string& other) const {
     return !name.empty() ? name : (!other.empty() ? other : nameFromFile(path));
@@ -65,23 +80,28 @@ struct Target {
 
 void addAnnotation(const Target& target, const authalic::Annotation& annotation,
                    const std::string& arrayName) {
-  target.requireCount(annotation.labels.size());
-  authalic::addArray(target.output->GetPointData(), arrayName.c_str(), annotation.labels);
+  authalic::addArray(target.output->GetPointData(), arrayName.c_str(), target.onVertices(annotation.labels));
   authalic::setRegions(target.output, arrayName, annotation.regions);
 }
 
 void addLabel(const Target& target) {
   const auto vertices = authalic::readLabel(target.path);
-  std::vector<int> inside(static_cast<std::size_t>(target.output->GetNumberOfPoints()), 0);
+  const std::vector<int> ids = target.originals();
+  const int known = ids.empty() ? static_cast<int>(target.output->GetNumberOfPoints())
+                                : *std::max_element(ids.begin(), ids.end()) + 1;
+  std::vector<int> inside(static_cast<std::size_t>(known), 0);
   for (const int vertex : vertices) {
-    if (static_cast<std::size_t>(vertex) >= inside.size()) {
+    if (vertex < known) {
+      inside[static_cast<std::size_t>(vertex)] = 1;
+    } else if (ids.empty()) {
       throw authalic::GeometryError(target.path + ": The label names vertex " + std::to_string(vertex) +
-                                    ", but the surface has " + std::to_string(inside.size()) +
+                                    ", but the surface has " + std::to_string(known) +
                                     " vertices; it belongs to another surface.");
     }
-    inside[static_cast<std::size_t>(vertex)] = 1;
   }
-  authalic::addArray(target.output->GetPointData(), target.nameOr("").c_str(), inside);
+  std::vector<int> flags;
+  for (const int id : ids) flags.push_back(inside[static_cast<std::size_t>(id)]);
+  authalic::addArray(target.output->GetPointData(), target.nameOr("").c_str(), ids.empty() ? inside : flags);
 }
 
 bool isFlat(const authalic::GiftiArray& array) {
@@ -102,11 +122,10 @@ void addGifti(const Target& target) {
                                   "One value per vertex is needed, but this file lists values for some "
                                   "vertices only (NODE_INDEX), which is not read.");
     }
-    target.requireCount(array.values.size());
     const auto named = array.metadata.find("Name");
     const std::string name = target.nameOr(named == array.metadata.end() ? "" : named->second);
     authalic::addArray(target.output->GetPointData(), (added == 0 ? name : target.freeName(name)).c_str(),
-                       std::vector<float>(array.values.begin(), array.values.end()));
+                       target.onVertices(std::vector<float>(array.values.begin(), array.values.end())));
     ++added;
   }
   if (labels) {
@@ -136,9 +155,8 @@ void vtkVertexDataReader::Compute(vtkInformationVector** inputs, vtkInformationV
   } else if (extension == ".label") {
     addLabel(target);
   } else {
-    const auto values = authalic::readVertexScalars(target.path);
-    target.requireCount(values.size());
-    authalic::addArray(output->GetPointData(), target.nameOr("").c_str(), values);
+    authalic::addArray(output->GetPointData(), target.nameOr("").c_str(),
+                       target.onVertices(authalic::readVertexScalars(target.path)));
   }
 }
 

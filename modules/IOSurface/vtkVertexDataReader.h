@@ -11,7 +11,8 @@
  *
  * Gzip is undone. NaN means no value. Signs are as in the file: FreeSurfer's curv and sulc are positive in sulci.
  * The surface passes through with everything it has. The file must hold one value for each point, otherwise the error
- * says how many there are of either.
+ * says how many there are of either. Where the surface was cut from another (point array OriginalPointIds), a file for
+ * that one does too: every point takes the value of its original, and a .label names originals.
  */
 #ifndef vtkVertexDataReader_h
 #define vtkVertexDataReader_h

@@ -37,8 +37,9 @@ class AuthalicFamily : public MapFamily {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
     own(verb->add_option("--balance", balance_,
-                         "A disk to the disk: weight of the areas against the angles, 0 (conformal) to 1."))
-        ->type_name("T")->default_str(shown(defaults_->GetBalance()))->check(CLI::Range(0.0, 1.0));
+                         "To the disk or the sphere: weight of the areas against the angles, 0 (conformal) to 1; or a "
+                         "weight per vertex, in an array or a file."))
+        ->type_name("T|ARRAY|FILE")->default_str(shown(defaults_->GetBalance()));
     own(verb->add_option(
             "--hole-areas", holeAreas_,
             "--domain circle-domain and annulus: area of every hole but the longest loop, mm^2, > 0, in the "
@@ -48,22 +49,47 @@ class AuthalicFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
-    if (balance_ && shared.domain.value_or("disk") != "disk") {
-      throw Failure(UsageProblem, "--balance needs --domain disk; it is '" + *shared.domain + "'.");
+    const std::string domain = shared.domain.value_or("disk");
+    if (balance_ && domain != "disk" && domain != "sphere") {
+      throw Failure(UsageProblem, "--balance needs --domain disk or sphere; it is '" + domain + "'.");
+    }
+    const auto weight = balanceNumber();
+    if (weight && !(*weight >= 0 && *weight <= 1)) {
+      throw Failure(UsageProblem,
+                    "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *balance_ + ".");
     }
     if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
     if (!holeAreas_.empty()) {
       throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
     }
-    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalAuthalicMap>::New(), shared, session);
+    if (shared.domain == "sphere") {
+      const auto map = vtkSmartPointer<vtkSphericalAuthalicMap>::New();
+      if (weight) map->SetBalance(*weight);
+      return configured(map, shared, session);
+    }
     if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
     setDiskDomain(map, shared.domain);
-    if (balance_) map->SetBalance(*balance_);
+    if (weight) map->SetBalance(*weight);
     return configured(map, shared, session);
   }
 
+  void addArrays(vtkSurfaceMapAlgorithm* map, vtkSmartPointer<vtkPolyData>& surface,
+                 const Session& session) const override {
+    if (!balance_ || balanceNumber()) return;
+    const std::string array = arrayOf(surface, *balance_, session);
+    if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) disk->SetBalanceArrayName(array);
+    if (auto* sphere = vtkSphericalAuthalicMap::SafeDownCast(map)) sphere->SetBalanceArrayName(array);
+  }
+
  private:
+  /// The balance where it is one number.
+  std::optional<double> balanceNumber() const {
+    double number = 0;
+    if (balance_ && CLI::detail::lexical_cast(*balance_, number)) return number;
+    return std::nullopt;
+  }
+
   vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
     const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
     map->SetConcentric(shared.domain == "annulus");
@@ -90,7 +116,8 @@ class AuthalicFamily : public MapFamily {
   }
 
   vtkNew<vtkAuthalicMap> defaults_;
-  std::optional<double> vertexTolerance_, balance_;
+  std::optional<double> vertexTolerance_;
+  std::optional<std::string> balance_;
   std::vector<double> holeAreas_;
 };
 

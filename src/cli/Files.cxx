@@ -90,11 +90,15 @@ std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::stri
   reader->SetFileName(path.c_str());
   if (!arrayName.empty()) reader->SetArrayName(arrayName.c_str());
   update(reader.Get(), session);
-  const int before = surface->GetPointData()->GetNumberOfArrays();
+  const vtkSmartPointer<vtkPolyData> before = surface;
   surface = reader->GetOutput();
   vtkPointData* data = surface->GetPointData();
   if (!arrayName.empty() && data->HasArray(arrayName.c_str())) return arrayName;
-  return data->GetArrayName(std::min(before, data->GetNumberOfArrays() - 1));
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i) {  // the first that is new, or took the place of one of its name
+    const char* name = data->GetArrayName(i);
+    if (name && data->GetAbstractArray(i) != before->GetPointData()->GetAbstractArray(name)) return name;
+  }
+  throw Failure(FileProblem, path + ": an array per vertex is required, but the file gave none.");
 }
 
 std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& arrayOrFile, const Session& session) {

@@ -47,6 +47,9 @@ class MapFamily {
                                                                        const SharedMapOptions& shared,
                                                                        const Session& session) const = 0;
 
+  /// Adds arrays that options name as files to the surface, and names them to the filter.
+  virtual void addArrays(vtkSurfaceMapAlgorithm*, vtkSmartPointer<vtkPolyData>&, const Session&) const {}
+
   /// Options declared by this family, whether given or not.
   [[nodiscard]] const std::vector<CLI::Option*>& ownOptions() const noexcept { return own_; }
 

@@ -3,6 +3,7 @@
 
 #include <vtkPolyData.h>
 
+#include "Density.h"
 #include "MapFamily.h"
 
 namespace authalic::cli {
@@ -25,9 +26,10 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
 }
 
 struct MapOptions {
-  std::string method, surface, output, report, measure;
+  std::string method, surface, output, report;
   bool allowNonconverged = false, textureCoordinates = false;
   SharedMapOptions shared;
+  DensityOptions density;
   std::vector<CLI::Option*> sharedOptions;
   std::vector<std::unique_ptr<MapFamily>> families = makeFamilies();
 };
@@ -59,6 +61,8 @@ VerbHelp mapHelp(const MapOptions& o) {
       "authalic map harmonic face.off -o face.vtp --domain rectangle:2\n  harmonic map to [0, 2] x [0, 1]",
       "authalic map authalic lh.disk.vtp -o lh.map.vtp --measure importance.txt\n"
       "  share of every face in proportion to its native area times the mean of its corners' numbers in the file",
+      "authalic map authalic lh.disk.vtp -o lh.map.vtp --roi lh.aparc.annot:precentral=4 --roi-blend 5\n"
+      "  a gyrus gets four times the share that its area has; the density passes over 5 mm at its border",
       "authalic map sphere lh.pial -o lh.sphere.vtp --report lh.sphere.json\n"
       "  conformal map of a closed surface to the unit sphere"};
   help.references = {"Su et al. 2019, discrete Lie flow: a measure controllable parameterization method",
@@ -116,10 +120,12 @@ void runMap(const MapOptions& o, const Session& session) {
   requireWritable({o.output, o.report});
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.shared.space);
   const vtkSmartPointer<vtkSurfaceMapAlgorithm> filter = family.filter(o.method, o.shared, session);
+  family.addArrays(filter, surface, session);
   if (o.textureCoordinates) filter->SetOutputModeToTextureCoordinates();
-  if (!o.measure.empty()) filter->SetMeasureArrayName(arrayOf(surface, o.measure, session));
+  filter->SetMeasureArrayName(o.density.apply(surface, session));
   filter->SetInputData(0, surface);
   const int code = update(filter.Get(), session);
+  sayRegions(filter->GetOutput(), session);
   writeSurface(o.output, filter->GetOutput());
   if (!o.report.empty()) writeText(o.report, filter->GetReport());
   if (code != NotConverged || o.allowNonconverged) return;
@@ -157,10 +163,7 @@ void declareShared(CLI::App* verb, MapOptions& o) {
           "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
           "annulus, circle-domain, free.")
       ->type_name("DOMAIN");
-  verb->add_option("--measure", o.measure,
-                   "Density relative to the native area, > 0, one number per vertex (or per face): an array of "
-                   "SURFACE, or a file (text, morphometry, GIFTI).")
-      ->type_name("ARRAY|FILE");
+  o.density.declare(verb);
   o.sharedOptions = {
       verb->add_option("--initial", o.shared.initial, meanings(o, "--initial"))->type_name("METHOD|MAP.vtp"),
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),

@@ -49,6 +49,7 @@ void addExtract(CLI::App& app, Session& session);
 void addSample(CLI::App& app, Session& session);
 void addElements(CLI::App& app, Session& session);
 void addWeld(CLI::App& app, Session& session);
+void addDensity(CLI::App& app, Session& session);
 void addConvert(CLI::App& app, Session& session);
 
 }  // namespace authalic::cli

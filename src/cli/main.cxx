@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
   describeProgram(app);
   app.set_version_flag("--version", authalic::version());
   app.require_subcommand(1);
-  for (const auto add : {addInfo, addMap, addWeld, addCut, addExtract, addSample, addElements, addConvert}) {
+  for (const auto add :
+       {addInfo, addMap, addWeld, addCut, addExtract, addSample, addElements, addDensity, addConvert}) {
     add(app, session);
   }
   try {

@@ -64,7 +64,7 @@ class CommandLine(unittest.TestCase):
 
 class Help(CommandLine):
     def test_every_verb_has_a_page_with_examples_and_exit_codes(self):
-        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "convert"):
+        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "density", "convert"):
             page = self.succeeds(verb, "--help")
             for section in ("SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "OPTIONS", "EXAMPLES", "EXIT CODES"):
                 self.assertIn(section, page, verb)
@@ -365,6 +365,97 @@ class Results(CommandLine):
         self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--balance", 2)
         for option in ("--tolerance", "--vertex-tolerance"):
             self.fails(2, "map", "authalic", disk, "-o", "m.vtp", option, 0)
+
+    def test_regions_of_interest_get_their_share_to_rounding(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        points = [tuple(map(float, line.split())) for line in disk.read_text().splitlines()[2:1263]]
+        label = ["#!ascii label", ""] + [f"{v} {p[0]} {p[1]} {p[2]} 0" for v, p in enumerate(points) if p[0] > 10]
+        label[1] = str(len(label) - 2)
+        (self.here / "east.label").write_text("\n".join(label) + "\n")
+        (self.here / "rank.txt").write_text("\n".join(str(int(p[0] < -12)) for p in points) + "\n")
+        said = self.run_verb("map", "authalic", disk, "-o", "m.vtp", "--report", "r.json", "--roi", "east.label=4",
+                             "--roi", "rank.txt:1=0.25", "--roi", "sphere:0,0,21.7,9=16", "--roi-blend", 3,
+                             "--tolerance", 0.1)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertEqual(len([line for line in said.stderr.splitlines() if line.startswith("region ")]), 3)
+        report = json.loads((self.here / "r.json").read_text())
+        regions = report["regions"]
+        self.assertEqual([r["name"] for r in regions], ["east.label", "rank.txt:1", "sphere:0,0,21.7,9"])
+        self.assertEqual([r["factor"] for r in regions], [4, 0.25, 16])
+        whole = 1 + sum((r["factor"] - 1) * r["source_share"] for r in regions)
+        for r in regions:
+            self.assertAlmostEqual(r["target_share"], r["factor"] * r["source_share"] / whole, delta=1e-11)
+            self.assertAlmostEqual(r["image_share"], r["target_share"], delta=1e-9)
+        self.assertEqual((report["status"], report["flips"]), ("converged", 0))
+        self.succeeds("density", disk, "-o", "d.vtp", "-q", "--roi", "geodesic:0,0,21.7,9=4")
+        self.succeeds("map", "authalic", "d.vtp", "-o", "n.vtp", "-q", "--measure", "RegionDensity", "--report",
+                      "n.json")
+        (region,) = json.loads((self.here / "n.json").read_text())["regions"]
+        self.assertAlmostEqual(region["image_share"], region["target_share"], delta=1e-9)
+
+    def test_regions_of_a_file_reach_a_surface_that_was_cut(self):
+        sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        lines = sphere.read_text().splitlines()
+        points = [tuple(map(float, line.split())) for line in lines[2:2 + int(lines[1].split()[0])]]
+        (self.here / "side.txt").write_text("\n".join(str(int(p[0] > 12)) for p in points) + "\n")
+        label = ["#!ascii label", ""] + [f"{v} 0 0 0 0" for v, p in enumerate(points) if p[0] > 12]
+        label[1] = str(len(label) - 2)
+        (self.here / "side.label").write_text("\n".join(label) + "\n")
+        self.succeeds("cut", sphere, "-o", "cut.vtp", "--plane", 0, 0, -10, 0, 0, -1)
+        shares = []
+        for region in ("side.txt:1", "side.label"):
+            self.succeeds("map", "authalic", "cut.vtp", "-o", "m.vtp", "-q", "--roi", f"{region}=4", "--report",
+                          "r.json")
+            (entry,) = json.loads((self.here / "r.json").read_text())["regions"]
+            self.assertAlmostEqual(entry["image_share"], entry["target_share"], delta=1e-9)
+            shares.append(entry["source_share"])
+        self.assertEqual(*shares)
+        self.assertGreater(shares[0], 0.2)
+
+    def test_regions_that_cannot_be_are_refused_in_a_sentence(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        (self.here / "flags.txt").write_text("1\n" * 1261)
+        for region, words in (("flags.txt", "REGION=FACTOR"), ("flags.txt:1=", "factor above 0"),
+                              ("flags.txt:1=0", "factor above 0"), ("flags.txt:1=-4", "factor above 0"),
+                              ("flags.txt:1=nan", "factor above 0"), ("flags.txt:1=4", "it is everything"),
+                              ("flags.txt:2=4", "it is empty"), ("flags.txt:V1=4", "table of region names"),
+                              ("Nothing:1=4", "neither"), ("sphere:0,0,0=4", "four numbers"),
+                              ("sphere:0,0,0,x=4", "four numbers"), ("sphere:0,0,900,5=4", "must reach"),
+                              ("geodesic:0,0,21.7,900=4", "it is everything")):
+            self.assertIn(words, self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--roi", region), region)
+        self.assertIn("--roi", self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--roi-blend", 3))
+        self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--roi", "sphere:0,0,21.7,9=4", "--roi-blend", -1)
+        self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--curvature-weight", 0.5)
+        self.fails(2, "map", "authalic", disk, "-o", "m.vtp", "--curvature-measure", "gaussian", "--curvature-weight",
+                   1)
+        self.fails(2, "density", disk, "-o", "m.vtp")
+        self.fails(5, "map", "authalic", disk, "-o", "m.vtp", "--roi", "missing.label=4")
+
+    def test_the_balance_is_a_number_or_a_weight_per_vertex_on_disk_and_sphere(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        for name, count, domain in (("bumpy_disk.off", 1261, "disk"), ("folded_sphere.off", 4098, "sphere")):
+            (self.here / "t.txt").write_text("\n".join(str(v % 2) for v in range(count)) + "\n")
+            for balance in (0.5, "t.txt"):
+                self.succeeds("map", "authalic", fixtures / name, "-o", "m.vtp", "--domain", domain, "--balance",
+                              balance, "--report", "r.json", "-q")
+                report = json.loads((self.here / "r.json").read_text())
+                self.assertEqual((report["status"], report["flips"]), ("converged", 0), (name, balance))
+                self.assertLess(report["vertex_residual"], 1e-9)
+        self.assertIn("neither", self.fails(2, "map", "authalic", fixtures / name, "-o", "m.vtp", "--balance", "T",
+                                            "--domain", "sphere"))
+        (self.here / "t.txt").write_text("2\n" * count)
+        self.assertIn("vertex 0", self.fails(2, "map", "authalic", fixtures / name, "-o", "m.vtp", "--balance", "t.txt",
+                                             "--domain", "sphere"))
+
+    def test_curvature_may_be_the_measure(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        (self.here / "k.txt").write_text("\n".join(str(v % 5) for v in range(1261)) + "\n")
+        for curvature in ("gaussian", "k.txt"):
+            self.succeeds("map", "authalic", disk, "-o", "m.vtp", "--curvature-measure", curvature, "--report",
+                          "r.json", "-q", "--roi", "sphere:0,0,21.7,9=4")
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual(report["options"]["measure"], "RegionDensity")
+            self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9)
 
     def test_holes_have_their_areas_and_vertices_theirs(self):
         tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"

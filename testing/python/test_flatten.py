@@ -338,6 +338,67 @@ class Stopping(unittest.TestCase):
             signal.signal(signal.SIGINT, handler)
 
 
+class MeasureControl(unittest.TestCase):
+    def setUp(self):
+        self.points, self.faces = bumpy_disk()
+        self.east = self.points[:, 0] > 10
+
+    def star_share(self, image, inside):
+        return (shares(image, self.faces)[:, None] * inside[self.faces]).sum() / 3
+
+    def test_a_region_gets_its_factor_however_it_is_named(self):
+        surface = authalic.Surface(self.points, self.faces).with_point_arrays({"Side": self.east * 5})
+        plain = authalic.flatten(surface)
+        s = self.star_share(plain.image, self.east)
+        for region in (self.east, "Side", ("Side", 5)):
+            result = authalic.flatten(surface, roi=(region, 4), roi_blend=3)
+            self.assertAlmostEqual(self.star_share(result.image, self.east), 4 * s / (4 * s + 1 - s), delta=1e-9)
+
+    def test_several_regions_hold_together(self):
+        regions = [(self.east, 4), (("sphere", -20, 0, -9, 8), 0.5), (("geodesic", 0, 0, 21, 8), 2)]
+        result = authalic.flatten(self.points, self.faces, roi=regions)
+        regions = result.report["regions"]
+        self.assertEqual([r["factor"] for r in regions], [4, 0.5, 2])
+        for region in regions:
+            self.assertAlmostEqual(region["image_share"], region["target_share"], delta=1e-9)
+
+    def test_a_measure_is_multiplied(self):
+        measure = 1 + (self.points[:, 1] > 0)
+        region = authalic.flatten(self.points, self.faces, measure=measure, roi=(self.east, 4)).report["regions"][0]
+        before = authalic.flatten(self.points, self.faces, measure=measure, roi=(self.east, 1)).report["regions"][0]
+        m = before["target_share"]
+        self.assertAlmostEqual(region["image_share"], 4 * m / (4 * m + 1 - m), delta=1e-9)
+
+    def test_the_balance_may_differ_from_vertex_to_vertex(self):
+        one = authalic.flatten(self.points, self.faces, balance=0.5)
+        same = authalic.flatten(self.points, self.faces, balance=np.full(len(self.points), 0.5))
+        self.assertTrue(np.array_equal(one.image, same.image))
+        local = authalic.flatten(self.points, self.faces, balance=self.east.astype(float))
+        stiff = local.face_arrays["AngleDistortion"]
+        inside = self.east[self.faces].all(axis=1)
+        self.assertLess(np.mean(stiff[~inside]), np.mean(stiff[inside]))
+        ball = authalic.read_surface(DATA / "folded_sphere.off")
+        self.assertEqual(authalic.flatten(ball, domain="sphere", balance=0.5).status, "converged")
+
+    def test_what_cannot_be_is_refused_in_words(self):
+        def refuses(words, **options):
+            with self.assertRaises(authalic.InvalidArgument) as caught:
+                authalic.flatten(self.points, self.faces, **options)
+            self.assertIn(words, str(caught.exception))
+
+        refuses("(region, factor)", roi=[self.east])
+        refuses("factor", roi=(self.east, 0))
+        refuses("it is empty", roi=(self.east * 0, 2))
+        refuses("it is everything", roi=(self.east * 0 + 1, 2))
+        refuses("must have shape", roi=(self.east[:5], 2))
+        refuses("must reach", roi=(("sphere", 0, 0, 500, 5), 2))
+        refuses("table of region names", roi=(("Nothing", "V1"), 2))
+        refuses("needs a region", roi_blend=2)
+        refuses("balance", balance=1.5)
+        refuses("vertex", balance=np.full(len(self.points), 2.0))
+        refuses("no balance", balance=0.5, method="lscm")
+
+
 class Documentation(unittest.TestCase):
     def test_signature_and_docstring_name_every_parameter(self):
         signature = inspect.signature(authalic.flatten)

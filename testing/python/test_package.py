@@ -10,7 +10,8 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 CLASSES = """vtkSurfaceFileReader vtkSurfaceFileWriter vtkVolumeFileReader vtkVertexDataReader vtkVertexDataWriter
 vtkCorticalSurface vtkCutToDisk vtkBarycentricMap vtkDiscreteLieFlow vtkMapDistortion vtkSurfaceTopologyReport
-vtkSampleVolumeOnSurface vtkLabelsOnSurface vtkElementGrid vtkElementStatistics""".split()
+vtkSampleVolumeOnSurface vtkLabelsOnSurface vtkElementGrid vtkElementStatistics vtkRegionDensity
+vtkCurvatureDensity""".split()
 
 
 def sheet(resolution=12):

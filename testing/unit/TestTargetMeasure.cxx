@@ -95,3 +95,22 @@ TEST(TargetMeasure, RefusesASurfaceWithoutArea) {
   const TriangleMesh line(points, faces);
   EXPECT_THROW(TargetMeasure{line}, GeometryError);
 }
+
+TEST(TargetMeasure, BlendsByAWeightPerVertex) {
+  const TriangleMesh mesh = bumpyDisk(6);
+  const TargetMeasure target(mesh);
+  const Eigen::VectorXd areas = Eigen::VectorXd::LinSpaced(mesh.faceCount(), 1, 3);
+  Eigen::VectorXd t = (mesh.points().col(0).array() > 0).cast<double>();
+  const Eigen::VectorXd blended = target.blended(mesh, areas, t).faces();
+  double scale = 0;  // one normalisation for all of it
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const double mean = (t[mesh.faces()(f, 0)] + t[mesh.faces()(f, 1)] + t[mesh.faces()(f, 2)]) / 3;
+    const double wanted = (1 - mean) * areas[f] / areas.sum() + mean * target.faces()[f];
+    if (f == 0) scale = blended[f] / wanted;
+    EXPECT_NEAR(blended[f] / wanted, scale, 1e-12);
+  }
+  EXPECT_NEAR(blended.sum(), 1, 1e-14);
+  t[4] = 1.5;
+  EXPECT_THROW((void)target.blended(mesh, areas, t), InvalidArgument);
+  EXPECT_THROW((void)target.blended(mesh, areas, t.head(3).eval()), GeometryError);
+}

@@ -24,6 +24,18 @@ void requireDensity(const Eigen::VectorXd& density, int count, const std::string
   }
 }
 
+void requireBalance(const Eigen::VectorXd& t, int count) {
+  if (t.size() != count) {
+    throw GeometryError("A balance of one weight per vertex (" + std::to_string(count) + ") is required, but it has " +
+                        std::to_string(t.size()) + "; take it from the same surface.");
+  }
+  for (Eigen::Index v = 0; v < t.size(); ++v) {
+    if (t[v] >= 0 && t[v] <= 1) continue;
+    throw InvalidArgument("A balance from 0 (the image's areas) to 1 (the target) is required, but vertex " +
+                          std::to_string(v) + " has " + std::to_string(t[v]) + ".");
+  }
+}
+
 }  // namespace
 
 TargetMeasure::TargetMeasure(const TriangleMesh& surface)
@@ -36,7 +48,7 @@ TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd&
     throw GeometryError("A surface with a positive, finite area is required, but its " +
                         std::to_string(surface.faceCount()) + " faces have none.");
   }
-  const double smallest = kSmallestTarget * total / static_cast<double>(faces_.size());
+  const double smallest = smallestTarget(faces_);
   clampedFaces_ = static_cast<int>((faces_.array() < smallest).count());
   faces_ = faces_.cwiseMax(smallest);
   faces_ /= faces_.sum();
@@ -45,12 +57,7 @@ TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd&
 
 TargetMeasure TargetMeasure::fromVertexDensity(const TriangleMesh& surface, const Eigen::VectorXd& density) {
   requireDensity(density, surface.vertexCount(), "vertex");
-  Eigen::VectorXd ofFace(surface.faceCount());
-  for (int f = 0; f < surface.faceCount(); ++f) {
-    const auto corners = surface.faces().row(f);
-    ofFace[f] = (density[corners[0]] + density[corners[1]] + density[corners[2]]) / 3;
-  }
-  return TargetMeasure(surface, ofFace);
+  return TargetMeasure(surface, meanOfCorners(surface, density));
 }
 
 TargetMeasure TargetMeasure::fromFaceDensity(const TriangleMesh& surface, const Eigen::VectorXd& density) {
@@ -59,21 +66,27 @@ TargetMeasure TargetMeasure::fromFaceDensity(const TriangleMesh& surface, const 
 }
 
 TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas, double t) const {
-  if (!(t >= 0 && t <= 1)) {
-    throw InvalidArgument("A balance from 0 (the image's areas) to 1 (the target) is required, but it is " +
-                          std::to_string(t) + ".");
-  }
+  return blended(surface, imageAreas, Eigen::VectorXd::Constant(surface.vertexCount(), t).eval());
+}
+
+TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas,
+                                     const Eigen::VectorXd& t) const {
+  requireBalance(t, surface.vertexCount());
   if (imageAreas.size() != faces_.size() || !(imageAreas.minCoeff() > 0)) {
     throw GeometryError("An image of " + std::to_string(faces_.size()) +
                         " faces without a fold is required to balance areas against it.");
   }
+  const Eigen::VectorXd ofFace = meanOfCorners(surface, t);
   TargetMeasure result = *this;
-  result.faces_ = (1 - t) * imageAreas / imageAreas.sum() + t * faces_;
-  const double smallest = kSmallestTarget / static_cast<double>(faces_.size());
-  result.faces_ = result.faces_.cwiseMax(smallest);
+  result.faces_ = (1 - ofFace.array()) * imageAreas.array() / imageAreas.sum() + ofFace.array() * faces_.array();
+  result.faces_ = result.faces_.cwiseMax(smallestTarget(result.faces_));
   result.faces_ /= result.faces_.sum();
   result.vertices_ = vertexStars(result.faces_, surface.faces(), surface.vertexCount());
   return result;
+}
+
+double TargetMeasure::smallestTarget(const Eigen::VectorXd& faceMasses) {
+  return kSmallestTarget * faceMasses.sum() / static_cast<double>(faceMasses.size());
 }
 
 void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {
@@ -81,6 +94,35 @@ void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {
   throw GeometryError("A target measure for the " + std::to_string(surface.faceCount()) +
                       " faces of this surface is required, but it has " + std::to_string(target.faces().size()) +
                       "; build it from the same surface.");
+}
+
+Eigen::VectorXd meanOfCorners(const TriangleMesh& surface, const Eigen::VectorXd& ofVertices) {
+  Eigen::VectorXd ofFace(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    const auto corners = surface.faces().row(f);
+    ofFace[f] = (ofVertices[corners[0]] + ofVertices[corners[1]] + ofVertices[corners[2]]) / 3;
+  }
+  return ofFace;
+}
+
+Eigen::VectorXd curvatureDensity(const TriangleMesh& surface, const Eigen::VectorXd& curvature, double weight) {
+  if (!(weight >= 0 && weight < 1)) {
+    throw InvalidArgument("A weight of the curvature from 0 to below 1 is required, but it is " +
+                          std::to_string(weight) + "; at 1, flat places would have no share.");
+  }
+  if (curvature.size() != surface.vertexCount()) {
+    throw GeometryError("A curvature for each of the " + std::to_string(surface.vertexCount()) +
+                        " vertices is required, but there are " + std::to_string(curvature.size()) + ".");
+  }
+  for (Eigen::Index v = 0; v < curvature.size(); ++v) {
+    if (std::isfinite(curvature[v])) continue;
+    throw InvalidArgument("A finite curvature is required, but vertex " + std::to_string(v) + " has " +
+                          std::to_string(curvature[v]) + ".");
+  }
+  const Eigen::VectorXd stars = vertexStars(faceAreas(surface), surface.faces(), surface.vertexCount());
+  const double mean = stars.dot(curvature.cwiseAbs()) / stars.sum();
+  if (!(mean > 0)) throw InvalidArgument("A curvature that is not 0 everywhere is required, but it is.");
+  return ((1 - weight) + weight * curvature.array().abs() / mean).matrix();
 }
 
 Eigen::VectorXd regionDensity(int count, const std::vector<int>& region, double factor) {

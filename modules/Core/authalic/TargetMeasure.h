@@ -36,6 +36,16 @@ class TargetMeasure {
   /// @throws GeometryError when there are not m, or one is not positive; InvalidArgument when t is outside [0, 1]
   [[nodiscard]] TargetMeasure blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas, double t) const;
 
+  /// The same with a weight per vertex: face t has the mean t̄ of its corners, and the measure (1 − t̄) a + t̄ m, a
+  /// and m as shares, is normalised at the end.
+  /// @param t  n weights in [0, 1]
+  /// @throws as above; GeometryError when there are not n weights
+  [[nodiscard]] TargetMeasure blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas,
+                                      const Eigen::VectorXd& t) const;
+
+  /// The share below which a face's target is raised to it, for masses whose sum is the whole.
+  [[nodiscard]] static double smallestTarget(const Eigen::VectorXd& faceMasses);
+
   /// m shares, > 0, sum 1.
   [[nodiscard]] const Eigen::VectorXd& faces() const noexcept { return faces_; }
   /// n shares: a third of the faces around each vertex, sum 1.
@@ -50,8 +60,24 @@ class TargetMeasure {
   int clampedFaces_ = 0;
 };
 
+/// The mean of the three corners of every face, as a face takes a density or a balance of its vertices.
+/// @param ofVertices  n values
+/// @return m values
+[[nodiscard]] Eigen::VectorXd meanOfCorners(const TriangleMesh& surface, const Eigen::VectorXd& ofVertices);
+
 /// @throws GeometryError when the target was made for a surface with other numbers of faces and vertices
 void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target);
+
+/// Towards the curvature: the density of the measure (1 − α) A / ΣA + α A |k| / Σ A |k| relative to the area
+/// @cite su2019remeshing, so that places where the surface bends get more of the map.
+/// @param curvature  n numbers of any sign and unit, one per vertex (mean or Gaussian curvature per area)
+/// @param weight     α in [0, 1); below 1, so that flat places keep some share
+/// @return n densities > 0, mean 1 over the area
+/// @throws InvalidArgument when the weight is outside, a curvature is not finite or all are 0; GeometryError when
+/// there
+///         are not n
+[[nodiscard]] Eigen::VectorXd curvatureDensity(const TriangleMesh& surface, const Eigen::VectorXd& curvature,
+                                               double weight);
 
 /// A density of 1 everywhere and `factor` on the listed vertices (or faces): a region of interest.
 /// @throws InvalidArgument when the factor is not positive and finite, or an index is outside [0, count)

@@ -104,7 +104,8 @@ class SurfaceMap(Surface):
 
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
-    hidden = ("domain", "aspect", "measure_array_name", "initial_method", "output_mode")
+    hidden = ("domain", "aspect", "measure_array_name", "balance", "balance_array_name", "initial_method",
+              "output_mode")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
@@ -118,6 +119,7 @@ def flatten(points: Any,
             tolerance: Optional[float] = None,
             max_iterations: Optional[int] = None,
             *,
+            roi: Any = None, roi_blend: float = 0.0, balance: Any = None,
             hole_areas: Any = None,
             threads: int = 0,
             progress: Progress = None,
@@ -142,6 +144,13 @@ def flatten(points: Any,
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
+    roi         regions of interest, (region, factor) or a list of them: each gets `factor` times its area, relative to
+                the rest; exact at every vertex for "authalic" methods. A region is (n,) flags; the name of an array
+                (all but 0); (array, value) or (array, name of a label); ("sphere", x, y, z, radius) in mm, or
+                ("geodesic", x, y, z, radius). report["regions"] has the shares
+    roi_blend   width over which the density passes across the borders of the regions, mm
+    balance     of "authalic" to the disk and "authalic-sphere": 1 = areas, 0 = angles, or between; one number, one per
+                vertex (n), or the name of a point array
     initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
                 same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
@@ -164,28 +173,40 @@ def flatten(points: Any,
     """
     if on_not_converged not in ("warn", "raise", "ignore"):
         raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
-    if method not in METHODS:
-        raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
-    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus
-        method, domain = f"{method}-{domain}", None
+    method, domain = _method_and_domain(method, domain)
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
     _set_domain(algorithm, method, domain)
     _set_measure(algorithm, method, mesh, measure)
+    _set_balance(algorithm, method, mesh, balance)
+    mesh = _with_regions(algorithm, method, mesh, roi, roi_blend)
     _set_initial(algorithm, method, mesh, initial)
     _set_hole_areas(algorithm, method, hole_areas)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
     kind, doubts = _filters.run(algorithm, progress)
-    result = SurfaceMap.from_filter(algorithm)
+    return _judged(SurfaceMap.from_filter(algorithm), kind, doubts, on_not_converged)
+
+
+def _method_and_domain(method, domain):
+    """The method, and the domain that its filter is to be told; "sphere" and "torus" are methods of their own."""
+    if method not in METHODS:
+        raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
+    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:
+        return f"{method}-{domain}", None
+    return method, domain
+
+
+def _judged(result, kind, doubts, on_not_converged):
+    """The result, after what its filter doubted was said to the caller of flatten()."""
     if kind == _filters.NOT_CONVERGED:
         sentence = doubts.pop()
         if on_not_converged == "raise":
             raise NotConverged(sentence, result)
         if on_not_converged == "warn":
-            _filters.warn([sentence], NotConvergedWarning)
-    _filters.warn(doubts)
+            _filters.warn([sentence], NotConvergedWarning, stacklevel=4)
+    _filters.warn(doubts, stacklevel=4)
     return result
 
 
@@ -232,6 +253,59 @@ def _set_measure(algorithm, method, mesh, measure):
     mesh.GetPointData().RemoveArray("Measure")
     _arrays.add_arrays(data, {"Measure": values}, len(values), "rows")
     algorithm.SetMeasureArrayName("Measure")
+
+
+def _set_balance(algorithm, method, mesh, balance):
+    if balance is None:
+        return
+    if not hasattr(algorithm, "SetBalanceArrayName"):
+        raise InvalidArgument(f"Method {method} has no balance; it is for authalic to the disk and to the sphere.")
+    if isinstance(balance, str):
+        return algorithm.SetBalanceArrayName(balance)
+    if np.ndim(balance) == 0:
+        return _filters.configure(algorithm, balance=float(balance))
+    values = _arrays.numbers(balance, "balance", (mesh.GetNumberOfPoints(),))
+    _arrays.add_arrays(mesh.GetPointData(), {"Balance": values}, len(values), "vertices")
+    algorithm.SetBalanceArrayName("Balance")
+
+
+def _with_regions(algorithm, method, mesh, roi, blend):
+    """The surface with a density for its regions of interest, which becomes the measure of the map."""
+    if roi is None:
+        if blend:
+            raise InvalidArgument("roi_blend needs a region of interest; give roi.")
+        return mesh
+    if not hasattr(algorithm, "SetMeasureArrayName"):
+        raise InvalidArgument(f"Method {method} takes no regions; it has a measure of its own.")
+    pairs = roi if isinstance(roi, list) else [roi]
+    for number, pair in enumerate(pairs, 1):
+        if not isinstance(pair, (tuple, list)) or len(pair) != 2:
+            raise InvalidArgument(f"roi must be (region, factor) or a list of them; number {number} is {pair!r:.60}.")
+        density = _classes.vtkRegionDensity()
+        _mark(density, mesh, pair[0], f"region {number}")
+        _filters.configure(density, factor=pair[1], blend=blend)
+        density.SetMeasureArrayName(algorithm.GetMeasureArrayName())
+        density.SetInputData(mesh)
+        _filters.warn(_filters.run(density)[1])
+        mesh = density.GetOutput()
+        algorithm.SetMeasureArrayName("RegionDensity")
+    return mesh
+
+
+def _mark(density, mesh, region, label):
+    """Says to the filter what the region is."""
+    if isinstance(region, str):
+        return density.SetRegionArrayName(region)
+    if isinstance(region, tuple) and len(region) == 5 and region[0] in ("sphere", "geodesic"):
+        _filters.configure(density, region_mode="ball" if region[0] == "sphere" else "geodesic-ball", radius=region[4])
+        return density.SetCentre(*_arrays.numbers(region[1:4], "centre of a region", (3,)))
+    if isinstance(region, tuple) and len(region) == 2 and isinstance(region[0], str):
+        density.SetRegionArrayName(region[0])
+        return density.AddRegionName(region[1]) if isinstance(region[1], str) else density.AddRegionValue(region[1])
+    flags = _arrays.numbers(region, "a region of roi", (mesh.GetNumberOfPoints(),))
+    _arrays.add_arrays(mesh.GetPointData(), {label: flags}, len(flags), "vertices")
+    density.SetRegionArrayName(label)
+    density.SetRegionLabel(label)
 
 
 def _set_hole_areas(algorithm, method, hole_areas):
