@@ -3,6 +3,7 @@
 #include "Core/authalic/CircleDomainStart.h"
 #include "Core/authalic/LieFlowStages.h"
 #include "Core/authalic/Stopwatch.h"
+#include "Core/initial/Untangle.h"
 
 namespace authalic {
 namespace {
@@ -17,8 +18,8 @@ class CircleFlowDomain final : public LieFlowDomain {
     return std::make_unique<CircleDomainAreas>(faces, loops_, surface_.mesh().vertexCount());
   }
 
-  [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach reach) const override {
-    return unfold(surface_.topology(), Points2(image), {}, reach).image;
+  [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach) const override {
+    return unfoldOrUntangle(surface_.topology(), Points2(image)).image;
   }
 
  private:

@@ -8,12 +8,14 @@
 #include "Core/authalic/PolygonStart.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
+#include "Core/initial/Untangle.h"
 
 namespace authalic {
 
 DiskFlowDomain::DiskFlowDomain(const DiskMesh& disk, const PlanarDomain& domain, const BoundaryPlacement& placement,
                                const Points2& image, const TargetMeasure& target, SolverBackend backend)
-    : LieFlowDomain(disk.mesh().faces(), target), disk_(disk), sliding_(placement, domain, image), backend_(backend) {
+    : LieFlowDomain(disk.mesh().faces(), target), disk_(disk), sliding_(placement, domain, image), backend_(backend),
+      convex_(domain.convex()) {
   if (!placement.pockets.empty()) freeze(placement.inPocket);
 }
 
@@ -22,7 +24,8 @@ std::unique_ptr<AreaFunctional> DiskFlowDomain::areasOn(const Faces& faces) cons
 }
 
 Coordinates DiskFlowDomain::unfolded(const Coordinates& image, UnfoldReach reach) const {
-  return unfold(disk_.topology(), Points2(image), {}, reach).image;
+  if (convex_) return unfold(disk_.topology(), Points2(image), {}, reach).image;
+  return unfoldOrUntangle(disk_.topology(), Points2(image)).image;
 }
 
 Coordinates DiskFlowDomain::revived(const Coordinates& image) const {

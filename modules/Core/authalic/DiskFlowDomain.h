@@ -24,6 +24,7 @@ class DiskFlowDomain final : public LieFlowDomain {
   const DiskMesh& disk_;
   SlidingBoundary sliding_;
   SolverBackend backend_;
+  bool convex_;
 };
 
 /// An image without folds with the boundary of `placement`: `image` unfolded, or, where it stays folded on a polygon

@@ -11,6 +11,8 @@
 namespace authalic {
 namespace {
 
+constexpr int kSlowingPasses = 20;
+
 // Marks the corners of faces that would collapse before the wanted step.
 std::vector<char> pinnedVertices(const AreaFunctional& areas, const Coordinates& image, const Coordinates& velocity,
                                  double wanted) {
@@ -141,6 +143,22 @@ void relaxPinned(const AreaFunctional& areas, const Coordinates& image, double w
     }
     keepTangential(areas, image, velocity);
   }
+}
+
+int slowPinned(const AreaFunctional& areas, const Coordinates& image, double wanted, Coordinates& displacement) {
+  std::vector<char> slowed(static_cast<std::size_t>(image.rows()), 0);
+  const Faces& faces = areas.faces();
+  for (int pass = 0; pass < kSlowingPasses; ++pass) {
+    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
+    for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
+      const double first = areas.firstFlip(image, displacement, f);
+      for (int k = 0; k < 3 && first < wanted; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], 0.5 * first);
+    }
+    if (part.minCoeff() == 1) break;
+    displacement.array().colwise() *= part.array();
+    for (Eigen::Index v = 0; v < part.size(); ++v) slowed[static_cast<std::size_t>(v)] |= part[v] < 1;
+  }
+  return static_cast<int>(std::count(slowed.begin(), slowed.end(), 1));
 }
 
 }  // namespace authalic

@@ -11,7 +11,7 @@ namespace authalic {
 namespace {
 
 constexpr double kLargestLog = 3;  // of λ in one step
-constexpr int kHalvings = 30, kPasses = 20;
+constexpr int kHalvings = 30;
 constexpr double kMargin = 1.25;  // faces that fold before this part of a step slow their corners
 
 // ∫₀¹ dt / ((1 − t) + t h) = ln h / (h − 1).
@@ -37,23 +37,6 @@ Coordinates displacementFor(const AreaFunctional& areas, const Coordinates& imag
   Coordinates displacement = poissonVelocity(areas, image, right, backend);
   for (Eigen::Index v = 0; v < displacement.rows(); ++v) displacement.row(v) *= integrated(h[v]);
   return displacement;
-}
-
-// Slows vertices, and only those, whose faces would fold on the way. @return how many
-int slowDown(const AreaFunctional& areas, const Coordinates& image, Coordinates& displacement) {
-  std::vector<char> slowed(static_cast<std::size_t>(image.rows()), 0);
-  const Faces& faces = areas.faces();
-  for (int pass = 0; pass < kPasses; ++pass) {
-    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
-    for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
-      const double first = areas.firstFlip(image, displacement, f);
-      for (int k = 0; k < 3 && first < kMargin; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], 0.5 * first);
-    }
-    if (part.minCoeff() == 1) break;
-    displacement.array().colwise() *= part.array();
-    for (Eigen::Index v = 0; v < part.size(); ++v) slowed[static_cast<std::size_t>(v)] |= part[v] < 1;
-  }
-  return static_cast<int>(std::count(slowed.begin(), slowed.end(), 1));
 }
 
 // Moves by as much of the displacement as folds no face of the flowing mesh. @return that part
@@ -86,7 +69,7 @@ void advect(const LieFlowDomain& domain, const LieAdvectionOptions& options, con
     const Eigen::VectorXd h = scheduled(stars, targets, options.steps - k + 1);
     Coordinates displacement = displacementFor(*areas, image, stars, h, options.solver);
     relaxPinned(*areas, image, kMargin, displacement);
-    solution.slowedVertices = std::max(solution.slowedVertices, slowDown(*areas, image, displacement));
+    solution.slowedVertices = std::max(solution.slowedVertices, slowPinned(*areas, image, kMargin, displacement));
     now.step = advance(*areas, displacement, image);
     now.edgeFlips = flips;
     solution.edgeFlips += flips;

@@ -14,7 +14,7 @@ constexpr double kSmallestRatio = 0.02;  // of face areas, in the weights
 // The faces nearly determine the map: with less damping the last face-scale errors are bought with long slides along
 // the curves of equal area, away from the gradient flow.
 constexpr double kSmallestDamping = 0.01;
-constexpr double kPinned = 0.25;      // of the step: faces that collapse before twice this are slowed by themselves
+constexpr double kPinned = 0.5;       // of the step: faces that collapse before this are slowed by themselves
 constexpr double kMostFolded = 0.02;  // share of faces above which a whole step is not worth unfolding
 
 ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
@@ -98,21 +98,6 @@ class AreaSystem {
   Eigen::VectorXd weight_, right_;
 };
 
-// A few thin triangles must not stop the whole map: their corners move by at most half of what would collapse them.
-Coordinates slowedWhereFacesCollapse(const AreaFunctional& areas, const Coordinates& image, Coordinates delta) {
-  const Faces& faces = areas.faces();
-  for (int pass = 0; pass < 20; ++pass) {
-    Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
-    for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
-      const double half = 0.5 * areas.firstFlip(image, delta, f);
-      for (int k = 0; k < 3 && half < kPinned; ++k) part[faces(f, k)] = std::min(part[faces(f, k)], half);
-    }
-    if (part.minCoeff() == 1) break;
-    delta.array().colwise() *= part.array();
-  }
-  return delta;
-}
-
 // Where a step leads, and its energy; step 0 when no step was found.
 struct Move {
   Coordinates image;
@@ -170,7 +155,8 @@ void matchAreas(const LieFlowDomain& domain, const DiscreteLieFlowOptions& optio
     const Coordinates delta = system.step(damping);
     Move move = wholeStep(domain, system, image, delta);
     if (!(move.energy < energy)) {
-      const Coordinates slowed = slowedWhereFacesCollapse(*areas, image, delta);
+      Coordinates slowed = delta;
+      slowPinned(*areas, image, kPinned, slowed);
       move = searchLine(system, image, slowed, std::min(1.0, 0.9 * flipFreeStep(*areas, image, slowed)), energy);
     }
     now.step = move.step;

@@ -68,6 +68,10 @@ void keepTangential(const AreaFunctional& areas, const Coordinates& image, Coord
 /// times over.
 void relaxPinned(const AreaFunctional& areas, const Coordinates& image, double wanted, Coordinates& velocity);
 
+/// A few thin triangles must not stop the whole map: slows vertices, and only those, whose faces collapse before the
+/// wanted part of the step, to half of what would collapse them. @return how many
+int slowPinned(const AreaFunctional& areas, const Coordinates& image, double wanted, Coordinates& displacement);
+
 /// The smallest firstFlip of all faces.
 [[nodiscard]] double flipFreeStep(const AreaFunctional& areas, const Coordinates& image, const Coordinates& velocity);
 

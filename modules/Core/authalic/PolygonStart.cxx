@@ -8,7 +8,7 @@
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/PolygonMesh.h"
 #include "Core/initial/BarycentricSystem.h"
-#include "Core/initial/Unfold.h"
+#include "Core/initial/Untangle.h"
 
 namespace authalic {
 namespace {
@@ -139,7 +139,7 @@ Points2 polygonStart(const DiskMesh& disk, const PlanarDomain& domain, const Bou
   }
   image(placement.vertices, Eigen::all) = placement.points;
   fillPockets(disk, placement, backend, image);
-  return unfold(disk.topology(), std::move(image), {}, UnfoldReach::Patches).image;
+  return untangle(disk.topology(), std::move(image)).image;
 }
 
 }  // namespace authalic

@@ -15,7 +15,7 @@ namespace authalic {
 /// Both send the boundary to the circle by arc length of the polygon, so that the composition is a homeomorphism with
 /// the boundary of `placement`, whatever the polygon, and its areas are about as near to their targets as those of f
 /// and φ. The faces of the surface are straight only in the end: those that fold, where they are large against the
-/// bend of φ⁻¹, are unfolded in patches; count the ones that are left. Where an edge of the surface cuts a corner that
+/// bend of φ⁻¹, are untangled; count the ones that are left. Where an edge of the surface cuts a corner that
 /// points inwards, no map with this boundary is without folds.
 /// Complexity: as balancedStart, for the surface and for a polygon of about as many faces.
 [[nodiscard]] Points2 polygonStart(const DiskMesh& disk, const PlanarDomain& domain,
