@@ -18,7 +18,8 @@ class CircleFlowDomain final : public LieFlowDomain {
     return std::make_unique<CircleDomainAreas>(faces, loops_, surface_.mesh().vertexCount());
   }
 
-  [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach) const override {
+  [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach reach) const override {
+    if (reach == UnfoldReach::Patches) return unfold(surface_.topology(), Points2(image), {}, reach).image;
     return unfoldOrUntangle(surface_.topology(), Points2(image)).image;
   }
 

@@ -12,7 +12,7 @@
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "Core/geometry/Areas.h"
-#include "Core/initial/Unfold.h"
+#include "Core/initial/Untangle.h"
 #include "Core/topology/LoopLength.h"
 
 namespace authalic {
@@ -172,7 +172,8 @@ Points2 stretched(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
                   const std::vector<LoopOnCircle>& loops, bool concentric, Points2 image, const Execution& execution) {
   if (concentric) spreadRings(target, loops, areas.radius(image, 1), image);
   else stretchHoles(areas, loops, image);
-  UnfoldResult unfolded = unfold(surface.topology(), std::move(image), execution);
+  UnfoldResult unfolded = unfold(surface.topology(), image, execution);
+  if (unfolded.flippedFaces > 0 && !execution.cancelled()) unfolded = untangle(surface.topology(), std::move(image));
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     throw GeometryError("A start that can be unfolded is required, but " + std::to_string(unfolded.flippedFaces) +
                         " faces stay folded around the holes; take hole areas nearer to those of the conformal map.");

@@ -57,7 +57,8 @@ struct LieFlowSolution {
   bool collapsed = false;         ///< a fixed step folded the flowing mesh; the image is the one before that step
   int edgeFlips = 0;              ///< total of the flow
   int flippedBeforeFinish = 0;    ///< original faces folded when the flow ended
-  bool flowUndone = false;        ///< folds stayed after the flow, and the finish began at its start instead
+  bool flowUndone = false;        ///< folds stayed after the flow, or a few faces pinned it far from the target (four
+                                  ///< steps below 1e-3, mean |ln r| > 0.6): the finish began at its start instead
   int flippedFaces = 0;           ///< original faces folded in `image`
   std::vector<LieFlowIteration> history;
   double startSeconds = 0, flowSeconds = 0, unfoldSeconds = 0, finishSeconds = 0;
@@ -91,7 +92,8 @@ struct DiscreteLieFlowResult : LieFlowSolution {
 ///
 /// On a polygon that is not convex the initial map may be folded beyond unfolding; then only its boundary is taken,
 /// and the start is a map of the surface to the disk, followed by the inverse of one of the polygon (polygonStart in
-/// authalic/). Where unfolding after the flow leaves folds, the finish begins at that start (`flowUndone`).
+/// authalic/). Where unfolding after the flow leaves folds, the finish begins at that start
+/// (`flowUndone`).
 ///
 /// @param initial  n×2, a map to the same domain, boundary on its boundary (any barycentric map); folds in it are
 ///                 unfolded first

@@ -45,8 +45,8 @@ void runLieFlow(const LieFlowDomain& domain, const DiscreteLieFlowOptions& optio
   solution.flowSeconds = watch.lap();
   solution.flippedBeforeFinish = countFolded(*areas, image);
   if (options.finish != LieFlowFinish::None) {
-    image = domain.unfolded(image, UnfoldReach::WholeMesh);
-    solution.flowUndone = countFolded(*areas, image) > 0;
+    if (!solution.flowUndone) image = domain.unfolded(image, UnfoldReach::WholeMesh);
+    solution.flowUndone = solution.flowUndone || countFolded(*areas, image) > 0;
     if (solution.flowUndone) image = start;
     solution.unfoldSeconds = watch.lap();
   }

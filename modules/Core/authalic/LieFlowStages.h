@@ -80,7 +80,8 @@ int slowPinned(const AreaFunctional& areas, const Coordinates& image, double wan
 void runLieFlow(const LieFlowDomain& domain, const DiscreteLieFlowOptions& options, const Execution& execution,
                 Coordinates& image, LieFlowSolution& solution);
 
-/// Flows the image on a mesh that flips its edges; fills iterations, history, collapsed and status.
+/// Flows the image on a mesh that flips its edges; fills iterations, history, collapsed, status, and
+/// flowUndone where a few faces pinned the flow far from its target.
 void flowWithFlips(const LieFlowDomain& domain, const DiscreteLieFlowOptions& options, const Execution& execution,
                    Coordinates& image, LieFlowSolution& solution);
 

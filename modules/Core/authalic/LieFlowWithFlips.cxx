@@ -9,7 +9,15 @@ namespace authalic {
 namespace {
 
 constexpr double kFarFromTarget = 0.6;  // mean |ln r| above which the flow is never handed over for being slow
+constexpr double kPinnedStep = 1e-3;
+constexpr std::ptrdiff_t kPinnedSteps = 4;
 constexpr double kWantedStep = 0.5;  // faces that would collapse before it are relaxed
+
+// Whether the last steps were so short that a few faces pin the flow.
+bool pinned(const std::vector<LieFlowIteration>& history, const DiscreteLieFlowOptions& options) {
+  if (options.finish != LieFlowFinish::Match || options.fixedStep > 0 || std::ptrdiff_t(history.size()) < kPinnedSteps) return false;
+  return std::all_of(history.end() - kPinnedSteps, history.end(), [](const auto& x) { return x.step < kPinnedStep; });
+}
 
 // Whether the last steps have not paid: neither measure of the error fell by the share it should over the last few.
 bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now,
@@ -55,7 +63,8 @@ void flowWithFlips(const LieFlowDomain& domain, const DiscreteLieFlowOptions& op
     now.edgeFlips = flips;
     solution.edgeFlips += flips;
     if (now.residual <= goal) solution.status = Status::Converged;
-    if (solution.status == Status::NotConverged && slow(solution.history, now, options)) {
+    if (solution.status == Status::NotConverged &&
+        (slow(solution.history, now, options) || pinned(solution.history, options))) {
       solution.status = Status::Stalled;
     }
     if (execution.cancelled()) solution.status = Status::Cancelled;
@@ -72,6 +81,7 @@ void flowWithFlips(const LieFlowDomain& domain, const DiscreteLieFlowOptions& op
     }
     image = moved;
   }
+  solution.flowUndone = pinned(solution.history, options) && solution.history.back().meanAbsLog > kFarFromTarget;
   domain.carryFrozen(image);
 }
 
