@@ -14,6 +14,7 @@ namespace authalic {
 namespace {
 
 constexpr double kWithinSight = 0.1;  // mean |ln r| of the stars of both balanced maps
+constexpr double kSmallest = 0.05;    // of the target of a face: smaller ones are opened
 constexpr int kFewestFaces = 4000, kMostFaces = 60000;  // of the polygon
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -139,7 +140,7 @@ Points2 polygonStart(const DiskMesh& disk, const PlanarDomain& domain, const Bou
   }
   image(placement.vertices, Eigen::all) = placement.points;
   fillPockets(disk, placement, backend, image);
-  return untangle(disk.topology(), std::move(image)).image;
+  return untangle(disk.topology(), std::move(image), kSmallest * domain.area() * target.faces()).image;
 }
 
 }  // namespace authalic

@@ -47,8 +47,9 @@ Eigen::RowVector2d largestSmallest(const Star& star, const Eigen::RowVector2d& s
 
 class Untangling {
  public:
-  Untangling(const SurfaceTopology& topology, Points2 image)
-      : topology_(topology), faces_(topology.faces()), facesOf_(at(topology.vertexCount())) {
+  Untangling(const SurfaceTopology& topology, Points2 image, const Eigen::VectorXd& least)
+      : topology_(topology), faces_(topology.faces()),
+        least_(least.size() > 0 ? least : Eigen::VectorXd::Zero(faces_.rows())), facesOf_(at(topology.vertexCount())) {
     result_.image = std::move(image);
     for (int f = 0; f < static_cast<int>(faces_.rows()); ++f) {
       for (int k = 0; k < 3; ++k) facesOf_[at(faces_(f, k))].push_back(f);
@@ -58,26 +59,25 @@ class Untangling {
   UnfoldResult run() {
     for (int rings = 0; rings <= kRings; ++rings) {
       for (int pass = 0; pass < kPasses; ++pass) {
-        if (countFolded() == 0) return std::move(result_);
-        const std::vector<char> marked = nearFolds(rings);
+        const Eigen::Array<bool, Eigen::Dynamic, 1> small =
+            !(signedFaceAreas(result_.image, faces_).array() > least_.array());
+        if (!small.any()) break;
+        const std::vector<char> marked = near(small, rings);
         for (int v = 0; v < topology_.vertexCount(); ++v) {
           if (marked[at(v)] && !topology_.onBoundary()[at(v)]) move(v);
         }
         ++result_.rounds;
       }
     }
-    countFolded();
+    result_.flippedFaces = countFlippedFaces(result_.image, faces_);
     return std::move(result_);
   }
 
  private:
-  int countFolded() { return result_.flippedFaces = countFlippedFaces(result_.image, faces_); }
-
-  [[nodiscard]] std::vector<char> nearFolds(int rings) const {
+  [[nodiscard]] std::vector<char> near(const Eigen::Array<bool, Eigen::Dynamic, 1>& small, int rings) const {
     std::vector<char> marked(at(topology_.vertexCount()), 0);
-    const Eigen::VectorXd areas = signedFaceAreas(result_.image, faces_);
     for (Eigen::Index f = 0; f < faces_.rows(); ++f) {
-      for (int k = 0; k < 3 && !(areas[f] > 0); ++k) marked[at(faces_(f, k))] = 1;
+      for (int k = 0; k < 3 && small[f]; ++k) marked[at(faces_(f, k))] = 1;
     }
     for (int ring = 0; ring < rings; ++ring) {
       const std::vector<char> before = marked;
@@ -110,14 +110,15 @@ class Untangling {
 
   const SurfaceTopology& topology_;
   const Faces& faces_;
+  Eigen::VectorXd least_;
   std::vector<std::vector<int>> facesOf_;
   UnfoldResult result_;
 };
 
 }  // namespace
 
-UnfoldResult untangle(const SurfaceTopology& topology, Points2 image) {
-  return Untangling(topology, std::move(image)).run();
+UnfoldResult untangle(const SurfaceTopology& topology, Points2 image, const Eigen::VectorXd& least) {
+  return Untangling(topology, std::move(image), least).run();
 }
 
 UnfoldResult unfoldOrUntangle(const SurfaceTopology& topology, const Points2& image) {

@@ -18,7 +18,8 @@ namespace authalic {
 /// lie outside the domain, the answer is inside. Where 16 passes over these vertices do not suffice, their
 /// neighbours move too, up to 8 rings; the rest stays. Boundary vertices never move.
 /// Does **not** guarantee success → `flippedFaces`. Complexity O(k⁴) for a vertex of k ≤ 16 faces; vertices of more stay.
-[[nodiscard]] UnfoldResult untangle(const SurfaceTopology& topology, Points2 image);
+/// @param least  m areas or empty: faces with no larger area are treated as folded ones; not counted in `flippedFaces`
+[[nodiscard]] UnfoldResult untangle(const SurfaceTopology& topology, Points2 image, const Eigen::VectorXd& least = {});
 
 /// unfold() with UnfoldReach::Patches, and where that leaves folds untangle() instead: for domains that are not convex.
 [[nodiscard]] UnfoldResult unfoldOrUntangle(const SurfaceTopology& topology, const Points2& image);
