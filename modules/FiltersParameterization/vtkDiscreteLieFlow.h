@@ -4,9 +4,10 @@
  *
  * Flows an initial map until every vertex star has its target share of the domain: L h = A_image - A_target, move by
  * the gradient of h, keep the flowing mesh Delaunay; then, on the connectivity of the input, unfold folded faces and
- * match areas. Vertices on the boundary slide along it. The domain may be a polygon that is not convex; the output has no
- * folded face unless Finish is NONE, and a mesh with no such map is refused. When the tolerance is not reached the best iterate is the output, with a warning and the status in words.
- * See su2019 in docs/references.bib and authalic::discreteLieFlow. Ports and arrays: vtkDiskMapAlgorithm, and
+ * match areas. Vertices on the boundary slide along it. The domain may be a polygon that is not convex; the output
+ * has no folded face unless Finish is NONE, and a mesh with no such map is refused. When the tolerance is not
+ * reached the best iterate is the output, with a warning and the status in words. See su2019 in docs/references.bib
+ * and authalic::discreteLieFlow. Ports and arrays: vtkDiskMapAlgorithm, and
  *
  * | port | what |
  * |---|---|

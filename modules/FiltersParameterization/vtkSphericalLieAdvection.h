@@ -1,9 +1,10 @@
 /**
  * @class vtkSphericalLieAdvection
- * @brief Area-preserving, or measure-controlled, map of a topological sphere by Lie advection in a given number of steps.
+ * @brief Area-preserving, or measure-controlled, map of a topological sphere by Lie advection in a given number of
+ * steps.
  *
- * As vtkLieAdvection, with solid angles as the areas of the image; start and rotation as vtkSphericalLieFlow. A method
- * of the literature: vtkSphericalAuthalicMap is exact. See zou2011 in docs/references.bib and
+ * As vtkLieAdvection, with solid angles as the areas of the image; start and rotation as vtkSphericalLieFlow. A
+ * method of the literature: vtkSphericalAuthalicMap is exact. See zou2011 in docs/references.bib and
  * authalic::sphericalLieAdvection. Status is converged when every step was taken in full and nothing is folded.
  *
  * | port | what |

@@ -64,7 +64,8 @@ struct RadialCase {
   TargetMeasure target;
 
   explicit RadialCase(int rings)
-      : surface(revolutionMesh(6 * rings, rings, [](double t) { return std::pow(0.4, t); }, [](double) { return 0.0; })),
+      : surface(revolutionMesh(
+            6 * rings, rings, [](double t) { return std::pow(0.4, t); }, [](double) { return 0.0; })),
         target(TargetMeasure::fromFaceDensity(surface.mesh(), density())) {}
 
   [[nodiscard]] Eigen::VectorXd density() const {

@@ -172,7 +172,8 @@ TEST(FlowingMesh, OnTheSphereIsTheConvexHullAfterItsFlips) {
   const TriangleMesh sphere = sphereMesh(3);
   Coordinates points = sphere.points();
   for (Eigen::Index v = 0; v < points.rows(); ++v) {  // twisted, so that other triangles are Delaunay
-    points.row(v).head<2>() = (Eigen::Rotation2Dd(1.2 * points(v, 2)) * points.row(v).head<2>().transpose()).transpose();
+    points.row(v).head<2>() =
+        (Eigen::Rotation2Dd(1.2 * points(v, 2)) * points.row(v).head<2>().transpose()).transpose();
   }
   FlowingMesh mesh(sphere.faces(), sphere.vertexCount());
   EXPECT_GT(mesh.makeDelaunay(points), 0);

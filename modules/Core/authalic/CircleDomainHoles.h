@@ -15,8 +15,8 @@ struct CircleDomainHoles {
   /// the area of the surface. Empty: of the cones that close them on the surface, tip in the mean of the loop.
   std::vector<double> holeAreas;
 
-  /// @throws InvalidArgument naming the field that is outside its range, TopologyError when a concentric map is asked of
-  ///         a surface that has not 2 loops
+  /// @throws InvalidArgument naming the field that is outside its range, TopologyError when a concentric map is
+  ///         asked of a surface that has not 2 loops
   void validate(const PolyAnnulusMesh& surface) const;
 };
 

@@ -63,7 +63,8 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
   if (result.balancedStart) {
     result.image = balancedStart(disk, result.image, target, options.solver, kBalanced, starting);
   }
-  result.image = unfoldedStart(disk, options.domain, placement, std::move(result.image), target, options.solver, starting);
+  result.image = unfoldedStart(disk, options.domain, placement, std::move(result.image), target,
+                               options.solver, starting);
   result.startSeconds = watch.lap();
   const DiskFlowDomain domain(disk, options.domain, placement, result.image, target, options.solver);
   Coordinates image = result.image;

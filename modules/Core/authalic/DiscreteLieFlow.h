@@ -100,12 +100,13 @@ struct DiscreteLieFlowResult : LieFlowSolution {
 /// @param target   shares per face, from TargetMeasure for this surface
 ///
 /// Guarantees: with finish ≠ None the image has no folded face, whatever the status; it is finite;
-/// the boundary lies on the boundary of the domain (pockets excepted, see BoundaryPlacement). Not guaranteed: that the
-/// tolerance is reached (→ status, residual), a bound on angle distortion, the optimal-transport map.
+/// the boundary lies on the boundary of the domain (pockets excepted, see BoundaryPlacement). Not guaranteed: that
+/// the tolerance is reached (→ status, residual), a bound on angle distortion, the optimal-transport map.
 /// Complexity: one sparse factorisation per step, O(n^1.5).
 /// When cancelled, the last valid iterate is returned with Status::Cancelled.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the domain,
-///         or no start without folds was found (polygons that are not convex only); SolverError when a system cannot be factorised
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the
+///         domain, or no start without folds was found (polygons that are not convex only); SolverError when a system
+///         cannot be factorised
 [[nodiscard]] DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initial,
                                                     const TargetMeasure& target,
                                                     const DiscreteLieFlowOptions& options = {},

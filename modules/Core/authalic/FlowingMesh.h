@@ -19,10 +19,11 @@ class FlowingMesh {
   /// @param frozen  m flags: faces left out of the flowing mesh (their inner edges become outline); empty = none
   FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen = {});
 
-  /// Flip edges until every inner edge is Delaunay: in the plane, opposite angles sum to at most π (up to 1e-12 in the
-  /// cotangents); on the sphere, no vertex lies above the plane of the face beside it, so that the flat faces are the
-  /// convex hull.
-  /// @param points  n×2 or n×3, every face counter-clockwise; stays so: an edge flips only inside a strictly convex quad
+  /// Flip edges until every inner edge is Delaunay: in the plane, opposite angles sum to at most π (up to 1e-12 in
+  /// the cotangents); on the sphere, no vertex lies above the plane of the face beside it, so that the flat faces
+  /// are the convex hull.
+  /// @param points  n×2 or n×3, every face counter-clockwise; stays so: an edge flips only inside a strictly
+  ///                convex quad
   /// @return the number of flips
   int makeDelaunay(const Coordinates& points);
 

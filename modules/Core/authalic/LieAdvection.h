@@ -1,5 +1,6 @@
 /// @file
-/// Area-preserving maps by Lie advection in a given number of steps: of a disk, and what those of other surfaces share.
+/// Area-preserving maps by Lie advection in a given number of steps: of a disk, and what those of other surfaces
+/// share.
 #pragma once
 
 #include <vector>
@@ -51,8 +52,8 @@ struct LieAdvectionResult : LieAdvectionSolution {
 /// themselves (`slowedVertices`); where that does not suffice the step is halved, and counted. The schedule makes
 /// up for it later. λ is kept within e^±3 in one step.
 ///
-/// @param initial  n×2, a map to the same domain, boundary on its boundary; folds in it are unfolded first; on a polygon
-///                 that is not convex as in discreteLieFlow()
+/// @param initial  n×2, a map to the same domain, boundary on its boundary; folds in it are unfolded first; on a
+///                 polygon that is not convex as in discreteLieFlow()
 /// Guarantees: with `unfold`, no folded face on a convex domain; finite; the boundary on that of the domain (pockets
 /// excepted). Not guaranteed: exact areas (→ residual); see authalicMap() for those. Complexity: K sparse
 /// factorisations, O(K n^1.5). When cancelled, the last iterate is returned with Status::Cancelled.

@@ -37,7 +37,8 @@ class AreaSystem {
 
   [[nodiscard]] const AreaFunctional& areas() const noexcept { return areas_; }
 
-  // E = Σ w_t (q_t − m_t)² with q = a / Σ a and the weights of the last linearisation; infinite when a face is folded.
+  // E = Σ w_t (q_t − m_t)² with q = a / Σ a and the weights of the last linearisation; infinite when a face
+  // is folded.
   [[nodiscard]] double energy(const Coordinates& image) const {
     const Eigen::VectorXd areas = areas_.areas(image);
     const double total = areas.sum();
@@ -141,8 +142,8 @@ void matchAreas(const LieFlowDomain& domain, const DiscreteLieFlowOptions& optio
   solution.status = Status::NotConverged;
   int failures = 0;
   for (solution.finishIterations = 0;; ++solution.finishIterations) {
-    LieFlowIteration now =
-        measureStars(vertexStars(areas->areas(image), domain.faces(), areas->vertexCount()), domain.target().vertices());
+    LieFlowIteration now = measureStars(
+        vertexStars(areas->areas(image), domain.faces(), areas->vertexCount()), domain.target().vertices());
     now.finishing = true;
     if (now.residual <= options.tolerance) solution.status = Status::Converged;
     if (failures > 4) solution.status = Status::Stalled;

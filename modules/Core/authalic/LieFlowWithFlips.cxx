@@ -15,7 +15,8 @@ constexpr double kWantedStep = 0.5;  // faces that would collapse before it are 
 
 // Whether the last steps were so short that a few faces pin the flow.
 bool pinned(const std::vector<LieFlowIteration>& history, const DiscreteLieFlowOptions& options) {
-  if (options.finish != LieFlowFinish::Match || options.fixedStep > 0 || std::ptrdiff_t(history.size()) < kPinnedSteps) return false;
+  const bool handsOver = options.finish == LieFlowFinish::Match && options.fixedStep <= 0;
+  if (!handsOver || std::ptrdiff_t(history.size()) < kPinnedSteps) return false;
   return std::all_of(history.end() - kPinnedSteps, history.end(), [](const auto& x) { return x.step < kPinnedStep; });
 }
 

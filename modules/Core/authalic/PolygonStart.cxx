@@ -19,7 +19,8 @@ constexpr int kFewestFaces = 4000, kMostFaces = 60000;  // of the polygon
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Length of the polygon's boundary up to each entry of the placement that is not in a pocket; the last one: all of it.
+// Length of the polygon's boundary up to each entry of the placement that is not in a pocket; the last one:
+// all of it.
 std::vector<double> lengthsAlong(const Points2& boundary) {
   std::vector<double> length{0};
   for (Eigen::Index i = 0; i < boundary.rows(); ++i) {
@@ -92,7 +93,9 @@ class Locator {
  private:
   [[nodiscard]] Eigen::RowVector3d coordinates(int face, const Eigen::RowVector2d& p) const {
     const auto corner = [&](int k) { return Eigen::RowVector2d(points_.row(topology_.faces()(face, k))); };
-    const auto cross = [](const Eigen::RowVector2d& u, const Eigen::RowVector2d& v) { return u[0] * v[1] - u[1] * v[0]; };
+    const auto cross = [](const Eigen::RowVector2d& u, const Eigen::RowVector2d& v) {
+      return u[0] * v[1] - u[1] * v[0];
+    };
     const Eigen::RowVector2d a = corner(0), b = corner(1), c = corner(2);
     const Eigen::RowVector3d parts(cross(b - p, c - p), cross(c - p, a - p), cross(a - p, b - p));
     return parts / std::max(cross(b - a, c - a), 1e-300);
@@ -126,7 +129,8 @@ Points2 polygonStart(const DiskMesh& disk, const PlanarDomain& domain, const Bou
   const DiskMesh flat = inSpace(polygon);
   Points2 flatOnDisk = Points2::Zero(polygon.points.rows(), 2);
   flatOnDisk.topRows(polygon.boundarySize) = outline.circle;
-  flatOnDisk = balancedStart(flat, flatOnDisk, TargetMeasure(flat.mesh()), backend, kWithinSight, execution.part(0, 0.4));
+  flatOnDisk = balancedStart(flat, flatOnDisk, TargetMeasure(flat.mesh()), backend, kWithinSight,
+                             execution.part(0, 0.4));
   Points2 onDisk = Points2::Zero(disk.mesh().vertexCount(), 2);
   onDisk(placement.vertices, Eigen::all) = outline.circleOfAll;
   onDisk = balancedStart(disk, onDisk, target, backend, kWithinSight, execution.part(0.4, 0.9));
