@@ -9,39 +9,13 @@
 #include "Core/authalic/DiscreteLieFlow.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
-#include "FieldArrays.h"
+#include "LieFlowReport.h"
 #include "MapArrays.h"
-#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkDiscreteLieFlow);
 
 static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkDiscreteLieFlow::MEAN_VALUE);
 static_assert(static_cast<int>(authalic::LieFlowFinish::Match) == vtkDiscreteLieFlow::MATCH);
-
-namespace {
-
-authalic::MapReport describe(const authalic::DiscreteLieFlowResult& flow, double initialSeconds) {
-  authalic::MapReport report;
-  report.method = "lie-flow";
-  report.status = flow.status;
-  report.iterations = flow.iterations;
-  for (const authalic::LieFlowIteration& step : flow.history) report.residuals.push_back(step.residual);
-  report.residuals.push_back(flow.residual);
-  report.seconds = {{"initial", initialSeconds},
-                    {"start", flow.startSeconds},
-                    {"flow", flow.flowSeconds},
-                    {"unfold", flow.unfoldSeconds},
-                    {"finish", flow.finishSeconds}};
-  report.more.set("residual", flow.residual);
-  report.more.set("balanced_start", flow.balancedStart);
-  report.more.set("finish_iterations", flow.finishIterations);
-  report.more.set("flipped_before_finish", flow.flippedBeforeFinish);
-  report.more.set("edge_flips", flow.edgeFlips);
-  report.more.set("collapsed", flow.collapsed);
-  return report;
-}
-
-}  // namespace
 
 vtkDiscreteLieFlow::vtkDiscreteLieFlow() {
   this->SetNumberOfInputPorts(2);
@@ -76,17 +50,10 @@ authalic::DiscreteLieFlowOptions vtkDiscreteLieFlow::Options() const {
 }
 
 authalic::Json vtkDiscreteLieFlow::DescribeAllOptions(bool initialMapGiven) const {
-  static const char* const finishes[] = {"none", "unfold", "match"};
   authalic::Json options = this->DescribeOptions();
   const auto weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
   options.set("initial", initialMapGiven ? "given" : authalic::barycentricWeightsName(weights));
-  options.set("tolerance", this->Tolerance);
-  options.set("max_iterations", this->MaximumIterations);
-  options.set("flow_tolerance", this->FlowTolerance);
-  options.set("step_ratio", this->StepRatio);
-  options.set("fixed_step", this->FixedStep);
-  options.set("finish", finishes[this->Finish]);
-  options.set("max_finish_iterations", this->MaximumFinishIterations);
+  authalic::addLieFlowOptions(options, this->Options());
   return options;
 }
 
@@ -109,13 +76,12 @@ void vtkDiscreteLieFlow::Compute(vtkInformationVector** inputs, vtkInformationVe
   }
   const authalic::DiscreteLieFlowResult flow =
       authalic::discreteLieFlow(disk, initial.image, target, options, execution.part(0.1, 1.0));
-  authalic::MapReport report = describe(flow, initial.seconds);
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), flow.image, target.faces()).summary;
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), flow.image, target.faces());
+  authalic::MapReport report = authalic::describeLieFlow(flow, output);
+  report.seconds.insert(report.seconds.begin(), {"initial", initial.seconds});
+  report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeAllOptions(given != nullptr);
-  authalic::addField(output, "FinishIterations", flow.finishIterations);
-  authalic::addField(output, "FlippedBeforeFinish", flow.flippedBeforeFinish);
-  authalic::addField(output, "EdgeFlips", flow.edgeFlips);
   this->Publish(output, report);
 }
 

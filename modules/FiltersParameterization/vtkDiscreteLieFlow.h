@@ -4,9 +4,10 @@
  *
  * Flows an initial map until every vertex star has its target share of the domain: L h = A_image - A_target, move by
  * the gradient of h, keep the flowing mesh Delaunay; then, on the connectivity of the input, unfold folded faces and
- * match areas. Vertices on the boundary slide along it. On a convex domain the output has no folded face unless Finish
- * is NONE. When the tolerance is not reached the best iterate is the output, with a warning and the status in words.
- * See su2019 in docs/references.bib and authalic::discreteLieFlow. Ports and arrays: vtkDiskMapAlgorithm, and
+ * match areas. Vertices on the boundary slide along it. The domain may be a polygon that is not convex; the output
+ * has no folded face unless Finish is NONE, and a mesh with no such map is refused. When the tolerance is not
+ * reached the best iterate is the output, with a warning and the status in words. See su2019 in docs/references.bib
+ * and authalic::discreteLieFlow. Ports and arrays: vtkDiskMapAlgorithm, and
  *
  * | port | what |
  * |---|---|
@@ -17,7 +18,7 @@
  * | field | Residuals | 1 double each | | sqrt(sum m (r - 1)^2) over vertex stars before each step, and at the end |
  * | field | FinishIterations, FlippedBeforeFinish, EdgeFlips | 1 int | | |
  *
- * @sa vtkBarycentricMap vtkElementGrid vtkMapDistortion
+ * @sa vtkSphericalLieFlow vtkCircleDomainLieFlow vtkBarycentricMap vtkElementGrid vtkMapDistortion
  */
 #ifndef vtkDiscreteLieFlow_h
 #define vtkDiscreteLieFlow_h

@@ -9,39 +9,12 @@
 #include "Core/authalic/LieAdvection.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
-#include "FieldArrays.h"
+#include "LieFlowReport.h"
 #include "MapArrays.h"
-#include "Reports/MapReport.h"
 
 vtkStandardNewMacro(vtkLieAdvection);
 
 static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkLieAdvection::MEAN_VALUE);
-
-namespace {
-
-authalic::MapReport describe(const authalic::LieAdvectionResult& advection, vtkPolyData* map) {
-  authalic::MapReport report;
-  report.method = "lie-advection";
-  report.status = advection.status;
-  report.iterations = advection.iterations;
-  for (const authalic::LieFlowIteration& step : advection.history) report.residuals.push_back(step.residual);
-  report.residuals.push_back(advection.residual);
-  report.seconds = {{"start", advection.startSeconds},
-                    {"advection", advection.advectionSeconds},
-                    {"unfold", advection.unfoldSeconds}};
-  const std::pair<const char*, int> numbers[] = {{"ShortenedSteps", advection.shortenedSteps},
-                                                 {"FlippedBeforeUnfolding", advection.flippedBeforeUnfolding},
-                                                 {"EdgeFlips", advection.edgeFlips}};
-  for (const auto& [name, value] : numbers) authalic::addField(map, name, value);
-  report.more.set("residual", advection.residual);
-  report.more.set("slowed_vertices", advection.slowedVertices);
-  report.more.set("shortened_steps", advection.shortenedSteps);
-  report.more.set("flipped_before_unfolding", advection.flippedBeforeUnfolding);
-  report.more.set("edge_flips", advection.edgeFlips);
-  return report;
-}
-
-}  // namespace
 
 vtkLieAdvection::vtkLieAdvection() {
   this->SetNumberOfInputPorts(2);
@@ -76,7 +49,7 @@ void vtkLieAdvection::Compute(vtkInformationVector** inputs, vtkInformationVecto
       authalic::lieAdvection(disk, initial, target, options, execution.part(0.05, 1.0));
   const authalic::Distortion distortion =
       authalic::fillMap(input, output, disk.mesh(), advection.image, target.faces());
-  authalic::MapReport report = describe(advection, output);
+  authalic::MapReport report = authalic::describeLieAdvection(advection, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();

@@ -30,7 +30,8 @@ class AuthalicFamily : public MapFamily {
          oneOf(initials) + " for a disk, or a MAP.vtp to the same disk, polygon or sphere (default: tutte)"},
         {"--tolerance",
          "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
-        {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+        {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
+        {"--hole-areas", "--domain circle-domain and annulus"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -40,11 +41,6 @@ class AuthalicFamily : public MapFamily {
                          "To the disk or the sphere: weight of the areas against the angles, 0 (conformal) to 1; or a "
                          "weight per vertex, in an array or a file."))
         ->type_name("T|ARRAY|FILE")->default_str(shown(defaults_->GetBalance()));
-    own(verb->add_option(
-            "--hole-areas", holeAreas_,
-            "--domain circle-domain and annulus: area of every hole but the longest loop, mm^2, > 0, in the "
-            "order of the loops' smallest vertex ids; by default, of the cones that close them."))
-        ->type_name("AREA...");
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
@@ -59,7 +55,7 @@ class AuthalicFamily : public MapFamily {
                     "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *balance_ + ".");
     }
     if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
-    if (!holeAreas_.empty()) {
+    if (!shared.holeAreas.empty()) {
       throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
     }
     if (shared.domain == "sphere") {
@@ -93,7 +89,7 @@ class AuthalicFamily : public MapFamily {
   vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
     const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
     map->SetConcentric(shared.domain == "annulus");
-    for (const double area : holeAreas_) map->AddHoleArea(area);
+    for (const double area : shared.holeAreas) map->AddHoleArea(area);
     return configured(map, shared, session);
   }
 
@@ -103,22 +99,13 @@ class AuthalicFamily : public MapFamily {
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (vertexTolerance_) map->SetVertexTolerance(*vertexTolerance_);
-    if (!shared.initial) return map;
-    if (isFile(*shared.initial) && map->GetNumberOfInputPorts() > 1) {
-      map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
-    } else if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) {
-      disk->SetInitialMethod(choice("--initial", *shared.initial, initials));
-    } else {
-      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain " + *shared.domain +
-                                      "; leave it out, the start is found by the method.");
-    }
+    setInitial(map, vtkAuthalicMap::SafeDownCast(map), shared, initials, session);
     return map;
   }
 
   vtkNew<vtkAuthalicMap> defaults_;
   std::optional<double> vertexTolerance_;
   std::optional<std::string> balance_;
-  std::vector<double> holeAreas_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <vtkLieAdvection.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSphericalLieAdvection.h>
 
 #include "MapFamily.h"
 
@@ -15,13 +16,14 @@ class LieAdvectionFamily : public MapFamily {
 
   std::string description() const override {
     return "lie-advection: area-preserving, or to a measure of yours (--measure), as far as a number of steps "
-           "(--steps) takes it; a disk to --domain disk, square, rectangle:ASPECT or polygon:FILE. For comparison with "
-           "the literature; authalic is exact.";
+           "(--steps) takes it; a disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed surface of "
+           "genus 0 to --domain sphere. For comparison with the literature; authalic is exact.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", oneOf(initials) + ", or a MAP.vtp to the same domain (default: " +
-                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"}};
+    return {{"--initial", oneOf(initials) + " for a disk, or a MAP.vtp to the same domain (default: " +
+                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] +
+                              "; on the sphere, a conformal map)"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -33,16 +35,23 @@ class LieAdvectionFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (shared.domain == "sphere") {
+      return configured(vtkSmartPointer<vtkSphericalLieAdvection>::New(), shared, session);
+    }
     const auto advection = vtkSmartPointer<vtkLieAdvection>::New();
     setDiskDomain(advection, shared.domain);
-    if (steps_) advection->SetNumberOfSteps(*steps_);
-    if (!shared.initial) return advection;
-    if (isFile(*shared.initial)) advection->SetInputData(1, readSurface(*shared.initial, session, shared.space));
-    else advection->SetInitialMethod(choice("--initial", *shared.initial, initials));
-    return advection;
+    return configured(advection, shared, session);
   }
 
  private:
+  template <class Filter>
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> advection, const SharedMapOptions& shared,
+                                     const Session& session) const {
+    if (steps_) advection->SetNumberOfSteps(*steps_);
+    setInitial(advection, vtkLieAdvection::SafeDownCast(advection), shared, initials, session);
+    return advection;
+  }
+
   vtkNew<vtkLieAdvection> defaults_;
   std::optional<int> steps_;
 };

@@ -1,6 +1,8 @@
+#include <vtkCircleDomainLieFlow.h>
 #include <vtkDiscreteLieFlow.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSphericalLieFlow.h>
 
 #include "MapFamily.h"
 
@@ -16,16 +18,19 @@ class LieFlowFamily : public MapFamily {
 
   std::string description() const override {
     return "lie-flow: area-preserving, or to a measure of yours (--measure); a disk to --domain disk, square, "
-           "rectangle:ASPECT or polygon:FILE.";
+           "rectangle:ASPECT or polygon:FILE (convex or not), a closed surface of genus 0 to --domain sphere, a "
+           "surface with holes to --domain circle-domain or annulus.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", oneOf(initials) + ", or a MAP.vtp to the same domain (default: " +
-                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
+    return {{"--initial", oneOf(initials) + " for a disk, or a MAP.vtp to the same disk, polygon or sphere (default: " +
+                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] +
+                              "; on the sphere, a conformal map)"},
             {"--tolerance",
              "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations",
-             "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+             "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
+            {"--hole-areas", "--domain circle-domain and annulus"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -45,20 +50,36 @@ class LieFlowFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
+    if (!shared.holeAreas.empty()) {
+      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
+    }
+    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalLieFlow>::New(), shared, session);
     const auto flow = vtkSmartPointer<vtkDiscreteLieFlow>::New();
     setDiskDomain(flow, shared.domain);
+    return configured(flow, shared, session);
+  }
+
+ private:
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
+    const auto flow = vtkSmartPointer<vtkCircleDomainLieFlow>::New();
+    flow->SetConcentric(shared.domain == "annulus");
+    for (const double area : shared.holeAreas) flow->AddHoleArea(area);
+    return configured(flow, shared, session);
+  }
+
+  template <class Filter>
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> flow, const SharedMapOptions& shared,
+                                     const Session& session) const {
     if (shared.tolerance) flow->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) flow->SetMaximumIterations(*shared.maxIterations);
     if (fixedStep_) flow->SetFixedStep(*fixedStep_);
     if (stepRatio_) flow->SetStepRatio(*stepRatio_);
     if (finish_) flow->SetFinish(choice("--finish", *finish_, finishes));
-    if (!shared.initial) return flow;
-    if (isFile(*shared.initial)) flow->SetInputData(1, readSurface(*shared.initial, session, shared.space));
-    else flow->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    setInitial(flow, vtkDiscreteLieFlow::SafeDownCast(flow), shared, initials, session);
     return flow;
   }
 
- private:
   vtkNew<vtkDiscreteLieFlow> defaults_;
   std::optional<double> fixedStep_, stepRatio_;
   std::optional<std::string> finish_;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkSurfaceMapAlgorithm.h>
 
@@ -24,6 +25,7 @@ struct SharedMapOptions {
   std::optional<double> tolerance;
   std::optional<int> maxIterations;
   bool noUnfold = false;
+  std::vector<double> holeAreas;
   SpaceOption space;
 };
 
@@ -36,8 +38,8 @@ class MapFamily {
   [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
   /// What they do, for which surfaces, to which domains: a paragraph of the help page.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What those of "--initial", "--tolerance", "--max-iterations" and "--no-unfold" that the methods take mean to
-  /// them, with the default.
+  /// What those of "--initial", "--tolerance", "--max-iterations", "--no-unfold" and "--hole-areas" that the methods
+  /// take mean to them, with the default.
   [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
   /// Declare the family's own options through own().
   virtual void declare(CLI::App*) {}
@@ -79,6 +81,23 @@ class MapFamily {
 /// none.
 /// @throws Failure
 void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>& text);
+
+/// Sets --initial, when it is given: a file as the second input, where the filter has one; a name as the initial method
+/// of `disk`, the same filter where it maps a disk, else null.
+/// @throws Failure when the filter of the domain takes neither
+template <class DiskFilter>
+void setInitial(vtkSurfaceMapAlgorithm* filter, DiskFilter* disk, const SharedMapOptions& shared,
+                const std::vector<std::string>& names, const Session& session) {
+  if (!shared.initial) return;
+  if (isFile(*shared.initial) && filter->GetNumberOfInputPorts() > 1) {
+    filter->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+  } else if (disk) {
+    disk->SetInitialMethod(choice("--initial", *shared.initial, names));
+  } else {
+    throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain " + *shared.domain +
+                                    "; leave it out, the start is found by the method.");
+  }
+}
 
 /// A number as the help page shows it.
 [[nodiscard]] std::string shown(double value);

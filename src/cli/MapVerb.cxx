@@ -170,7 +170,11 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
           ->type_name("N")->check(notNegative()),
       verb->add_flag("--no-unfold", o.shared.noUnfold,
-                     "Leave folded faces as they are. " + meanings(o, "--no-unfold"))};
+                     "Leave folded faces as they are. " + meanings(o, "--no-unfold")),
+      verb->add_option("--hole-areas", o.shared.holeAreas,
+                       "Area of every hole but the longest loop, mm^2, > 0, in the order of the loops' smallest vertex "
+                       "ids; by default, of the cones that close them. " + meanings(o, "--hole-areas"))
+          ->type_name("AREA...")};
 }
 
 }  // namespace

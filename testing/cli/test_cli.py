@@ -494,6 +494,33 @@ class Results(CommandLine):
                 self.assertTrue(maps[0] == maps[other], f"{method}: bytes of the map differ")
                 self.assertEqual(reports[0], reports[other], method)
 
+    def test_lie_flows_reach_their_domains_and_refuse_options_of_others(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        (self.here / "l.txt").write_text("0 0\n2 0\n2 1\n1 1\n1 2\n0 2\n")
+        for method, name, domain in (("lie-flow", "folded_sphere.off", "sphere"),
+                                     ("lie-flow", "bent_tube.off", "circle-domain"),
+                                     ("lie-flow", "bent_tube.off", "annulus"),
+                                     ("lie-flow", "bumpy_disk.off", "polygon:l.txt"),
+                                     ("lie-advection", "folded_sphere.off", "sphere"),
+                                     ("lie-advection", "bumpy_disk.off", "rectangle:2")):
+            maps = []
+            for threads in (1, 2):
+                self.succeeds("map", method, fixtures / name, "-o", "m.vtp", "--report", "r.json", "--domain", domain,
+                              "--threads", threads, "--allow-nonconverged")
+                maps.append((self.here / "m.vtp").read_bytes())
+            report = json.loads((self.here / "r.json").read_text())
+            self.assertEqual((report["method"], report["flips"]), (method, 0), domain)
+            self.assertLess(report["metrics"]["area_distortion"], 2.1, domain)
+            self.assertEqual(*maps)
+        ball, disk = fixtures / "folded_sphere.off", fixtures / "bumpy_disk.off"
+        self.assertIn("--hole-areas", self.fails(2, "map", "lie-flow", ball, "-o", "n.vtp", "--domain", "sphere",
+                                                 "--hole-areas", "5"))
+        self.assertIn("--initial tutte", self.fails(2, "map", "lie-flow", ball, "-o", "n.vtp", "--domain", "sphere",
+                                                    "--initial", "tutte"))
+        self.fails(2, "map", "lie-advection", disk, "-o", "n.vtp", "--hole-areas", "5")
+        self.fails(3, "map", "lie-flow", disk, "-o", "n.vtp", "--domain", "sphere")
+        self.fails(3, "map", "lie-advection", disk, "-o", "n.vtp", "--domain", "sphere")
+
     def test_a_sphere_has_the_same_bytes_at_any_thread_count_and_every_road_leads_to_it(self):
         sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
         for words in (("sphere",), ("welding",), ("sphere", "--initial", "mean-curvature-flow"),

@@ -154,6 +154,18 @@ class Results(unittest.TestCase):
         self.assertTrue(np.array_equal(images[0], images[1]) and np.array_equal(images[1], images[2]))
         self.assertFalse(np.array_equal(images[0], authalic.flatten(points, faces).image))
 
+    def test_lie_flows_of_spheres_and_holes_take_a_measure_and_hole_areas(self):
+        ball = authalic.read_surface(DATA / "folded_sphere.off")
+        measure = np.where(ball.points[:, 0] > 0, 3.0, 1.0)
+        for method in ("lie-flow", "lie-advection"):
+            result = authalic.flatten(ball, domain="sphere", method=method, measure=measure)
+            self.assertEqual((result.image.shape, result.metrics["flipped_faces"]), (ball.points.shape, 0), method)
+            self.assertLess(result.metrics["area_distortion"], 2.05, method)
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        result = authalic.flatten(tube, method="lie-flow-holes", hole_areas=[150], on_not_converged="ignore")
+        self.assertEqual(result.metrics["flipped_faces"], 0)
+        self.assertLess(result.report["hole_residual"], 1e-9)
+
     def test_holes_get_the_areas_that_they_are_given(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
         result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], concentric=True, tolerance=0.05)
@@ -208,7 +220,8 @@ class Failures(unittest.TestCase):
 
     def test_options_out_of_range_unknown_or_of_another_method(self):
         self.refuses(authalic.InvalidArgument, "lie-flow", method="no-method")
-        self.refuses(authalic.InvalidArgument, "disk", domain="sphere", method="lie-flow")
+        self.refuses(authalic.InvalidArgument, "disk", domain="sphere", method="mean-value")
+        self.refuses(authalic.SurfaceError, "sphere is required", domain="sphere", method="lie-flow")
         self.refuses(authalic.SurfaceError, "sphere is required", domain="sphere")
         self.refuses(authalic.InvalidArgument, "aspect", domain="rectangle")
         self.refuses(authalic.InvalidArgument, "aspect", domain=("rectangle",))

@@ -14,11 +14,14 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalAuthalicMap.h>
+#include <vtkSphericalLieAdvection.h>
+#include <vtkSphericalLieFlow.h>
 #include <vtkToroidalAuthalicMap.h>
 
 #include "Conversion.h"
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/authalic/SphericalLieFlow.h"
 #include "Core/authalic/ToroidalAuthalicMap.h"
 #include "Core/conformal/RiemannMap.h"
 #include "support/TestMeshes.h"
@@ -63,6 +66,38 @@ TEST(AuthalicFilters, GiveTheImageOfCore) {
             authalicMap(DiskMesh(disk), TargetMeasure(disk)).image);
   EXPECT_EQ(toPoints(mapped<vtkSphericalAuthalicMap>(sphere)->GetOutput()),
             sphericalAuthalicMap(SphereMesh(sphere), TargetMeasure(sphere)).image);
+}
+
+TEST(SphericalLieFilters, GiveTheImageOfCoreAndItsNumbers) {
+  const TriangleMesh sphere = ellipsoid();
+  const auto flow = mapped<vtkSphericalLieFlow>(sphere);
+  const auto core = sphericalLieFlow(SphereMesh(sphere), TargetMeasure(sphere));
+  EXPECT_EQ(toPoints(flow->GetOutput()), core.image);
+  EXPECT_EQ(flow->GetStatus(), "converged");
+  EXPECT_EQ(flow->GetFlippedFaces(), 0);
+  EXPECT_EQ(field(flow->GetOutput(), "EdgeFlips"), core.edgeFlips);
+  EXPECT_EQ(field(flow->GetOutput(), "FinishIterations"), core.finishIterations);
+  const auto advection = mapped<vtkSphericalLieAdvection>(sphere);
+  EXPECT_EQ(toPoints(advection->GetOutput()), sphericalLieAdvection(SphereMesh(sphere), TargetMeasure(sphere)).image);
+  EXPECT_EQ(advection->GetIterations(), advection->GetNumberOfSteps());
+}
+
+TEST(SphericalLieFilters, TakeTheirOptionsAndAnInitialMap) {
+  const TriangleMesh sphere = ellipsoid();
+  const auto flow = vtkSmartPointer<vtkSphericalLieFlow>::New();
+  flow->SetInputData(0, polyData(sphere));
+  flow->SetInputData(1, polyData(sphereMesh(4)));
+  flow->SetFinishToNone();
+  flow->SetMaximumIterations(2);
+  flow->SetStepRatio(0.3);
+  flow->Update();
+  DiscreteLieFlowOptions options;
+  options.finish = LieFlowFinish::None;
+  options.maxIterations = 2;
+  options.stepRatio = 0.3;
+  const auto core = sphericalLieFlow(SphereMesh(sphere), TargetMeasure(sphere), options, sphereMesh(4).points());
+  EXPECT_EQ(toPoints(flow->GetOutput()), core.image);
+  EXPECT_NE(flow->GetReport().find("\"initial\": \"given\""), std::string::npos) << flow->GetReport();
 }
 
 TEST(AuthalicFilters, AreExactByTheirOwnReport) {

@@ -7,6 +7,7 @@
 #include <vtkAnnulusMap.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCircleDomainAuthalicMap.h>
+#include <vtkCircleDomainLieFlow.h>
 #include <vtkCircleDomainMap.h>
 #include <vtkConformalFlowAlgorithm.h>
 #include <vtkDataArray.h>
@@ -18,6 +19,7 @@
 
 #include "Conversion.h"
 #include "Core/authalic/CircleDomainAuthalicMap.h"
+#include "Core/authalic/CircleDomainLieFlow.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "support/HoledMeshes.h"
@@ -245,6 +247,31 @@ TEST(CircleDomainAuthalicMapFilter, GivesTheImageOfCoreWithEveryOption) {
   filter->AddHoleArea(1);
   EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "each of the 2 holes");
   const auto concentric = on<vtkCircleDomainAuthalicMap>(threeLoops());
+  concentric->ConcentricOn();
+  EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
+}
+
+TEST(CircleDomainLieFlowFilter, GivesTheImageOfCoreWithItsOptions) {
+  const PolyAnnulusMesh surface(threeLoops());
+  const auto filter = on<vtkCircleDomainLieFlow>(surface.mesh());
+  filter->SetTolerance(0.01);
+  filter->SetFinishToUnfold();
+  filter->SetMaximumIterations(8);
+  filter->AddHoleArea(0.15);
+  filter->AddHoleArea(0.1);
+  filter->Update();
+  CircleDomainLieFlowOptions options;
+  options.flow.tolerance = 0.01;
+  options.flow.finish = LieFlowFinish::Unfold;
+  options.flow.maxIterations = 8;
+  options.holeAreas = {0.15, 0.1};
+  const auto core = circleDomainLieFlow(surface, TargetMeasure(surface.mesh()), options);
+  EXPECT_EQ(toPlanarPoints(filter->GetOutput()), core.image);
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+  EXPECT_LT(field(filter->GetOutput(), "HoleResidual"), 1e-12);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(field(filter->GetOutput(), "Circles", k, 2), core.circles[std::size_t(k)].radius);
+  const auto concentric = on<vtkCircleDomainLieFlow>(threeLoops());
   concentric->ConcentricOn();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
 }

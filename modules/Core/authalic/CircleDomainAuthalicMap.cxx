@@ -1,215 +1,17 @@
 #include "Core/authalic/CircleDomainAuthalicMap.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <numeric>
-#include <string>
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
-#include "Core/authalic/CircleDomainAreas.h"
-#include "Core/base/Error.h"
-#include "Core/conformal/AnnulusMap.h"
-#include "Core/conformal/CircleDomainMap.h"
+#include "Core/authalic/CircleDomainStart.h"
+#include "Core/authalic/Stopwatch.h"
 #include "Core/geometry/Areas.h"
-#include "Core/initial/Unfold.h"
-#include "Core/topology/LoopLength.h"
 
 namespace authalic {
-namespace {
-
-constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
-constexpr double kTight = 0.95;     // of the room around a hole
-
-double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-  for (const int v : loop) tip += mesh.point(v) / static_cast<double>(loop.size());
-  double area = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Eigen::Vector3d a = mesh.point(loop[i]) - tip, b = mesh.point(loop[(i + 1) % loop.size()]) - tip;
-    area += 0.5 * a.cross(b).norm();
-  }
-  return area;
-}
-
-// The start before holes have their areas.
-struct ConformalStart {
-  Status status = Status::NotRun;
-  Points2 image;
-  std::vector<FittedCircle> circles;  // of every loop
-  int outerLoop = 0, pockets = 0;
-};
-
-ConformalStart conformalStart(const PolyAnnulusMesh& surface, const CircleDomainAuthalicMapOptions& options,
-                              const Execution& execution) {
-  if (!options.concentric) {
-    CircleDomainOptions round;
-    round.outerLoop = options.outerLoop;
-    CircleDomainResult map = circleDomainMap(surface, round, execution);
-    return {map.status, std::move(map.image), std::move(map.circles), map.outerLoop, map.pockets};
-  }
-  AnnulusMapOptions ring;
-  ring.outerLoop = options.outerLoop;
-  AnnulusMapResult map = annulusMap(AnnulusMesh(surface.mesh()), ring, execution);
-  const int outer = options.outerLoop >= 0 ? options.outerLoop
-                                           : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
-  std::vector<FittedCircle> circles(2);
-  circles[static_cast<std::size_t>(outer)].radius = 1;
-  circles[static_cast<std::size_t>(1 - outer)].radius = map.innerRadius;
-  return {map.status, std::move(map.image), std::move(circles), outer, map.pockets};
-}
-
-// Outer loop first; holes in the order of the surface's loops.
-std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const ConformalStart& conformal,
-                                  const std::vector<double>& holeAreas) {
-  double whole = faceAreas(surface.mesh()).sum();
-  for (const double area : holeAreas) whole += area;
-  std::vector<LoopOnCircle> loops(1);
-  for (std::size_t k = 0, hole = 0; k < surface.loops().size(); ++k) {
-    const FittedCircle& circle = conformal.circles[k];
-    const bool outer = static_cast<int>(k) == conformal.outerLoop;
-    LoopOnCircle loop;
-    if (!outer) {
-      loop.centre = circle.centre;
-      loop.share = holeAreas[hole++] / whole;
-    }
-    for (const int v : surface.loops()[k]) {
-      const double off = (conformal.image.row(v) - circle.centre).norm() / circle.radius - 1;
-      if (std::abs(off) < kOnCircle) loop.vertices.push_back(v);
-    }
-    if (outer) loops.front() = std::move(loop);
-    else loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
-// How far around a hole the plane may be stretched: to the outer circle, and half of the way to other holes.
-double roomAround(std::size_t hole, const std::vector<LoopOnCircle>& loops, const std::vector<double>& radii) {
-  double room = 1 - loops[hole].centre.norm();
-  for (std::size_t k = 1; k < loops.size(); ++k) {
-    if (k == hole) continue;
-    const double distance = (loops[k].centre - loops[hole].centre).norm();
-    room = std::min(room, 0.5 * (distance + radii[hole] - radii[k]));
-  }
-  return room;
-}
-
-// Every hole to its radius by a radial map that is the identity where the room around it ends.
-void stretchHoles(const CircleDomainAreas& areas, const std::vector<LoopOnCircle>& loops, Points2& image) {
-  std::vector<double> radii(loops.size(), 1), wanted(loops.size(), 1);
-  for (std::size_t k = 1; k < loops.size(); ++k) {
-    radii[k] = (image.row(loops[k].vertices.front()) - loops[k].centre).norm();
-    wanted[k] = areas.radius(image, k);
-  }
-  for (std::size_t k = 1; k < loops.size(); ++k) {
-    const double room = roomAround(k, loops, radii);
-    if (!(wanted[k] < kTight * room)) {
-      throw GeometryError("Hole areas that fit beside each other are required, but a hole around (" +
-                          std::to_string(loops[k].centre[0]) + ", " + std::to_string(loops[k].centre[1]) +
-                          ") of the unit disk needs the radius " + std::to_string(wanted[k]) + " and has room for " +
-                          std::to_string(kTight * room) + "; take smaller hole areas.");
-    }
-    for (Eigen::Index v = 0; v < image.rows(); ++v) {
-      const Eigen::RowVector2d arm = image.row(v) - loops[k].centre;
-      const double r = arm.norm();
-      if (!(r < room) || r == 0) continue;
-      const double onto = r <= radii[k] ? r * wanted[k] / radii[k]
-                                        : wanted[k] + (r - radii[k]) * (room - wanted[k]) / (room - radii[k]);
-      image.row(v) = loops[k].centre + arm * (onto / r);
-    }
-  }
-}
-
-// Share of the target within some radii about the middle, as knots of a piecewise linear function of ln r.
-struct RadialShares {
-  std::vector<double> logRadii, shares;
-
-  RadialShares(const Eigen::VectorXd& radii, const Eigen::VectorXd& target) {
-    std::vector<int> order(static_cast<std::size_t>(radii.size()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return radii[a] < radii[b]; });
-    const auto stride = static_cast<std::size_t>(std::sqrt(static_cast<double>(order.size())));
-    double inside = 0;
-    for (std::size_t i = 0, next = 0; i < order.size();) {
-      std::size_t end = i;
-      double same = 0;  // vertices of one circle are inside it by half
-      for (; end < order.size() && radii[order[end]] <= radii[order[i]] * (1 + 1e-9); ++end) same += target[order[end]];
-      const bool first = i == 0, last = end == order.size();
-      if (first || last || i >= next) {
-        logRadii.push_back(std::log(radii[order[i]]));
-        shares.push_back(first ? 0 : last ? 1 : inside + 0.5 * same);
-        next = i + stride;
-      }
-      inside += same;
-      i = end;
-    }
-  }
-
-  [[nodiscard]] double at(double radius) const {
-    const double x = std::log(radius);
-    const auto above = std::upper_bound(logRadii.begin() + 1, logRadii.end() - 1, x) - logRadii.begin();
-    const auto k = static_cast<std::size_t>(above);
-    const double t = (x - logRadii[k - 1]) / (logRadii[k] - logRadii[k - 1]);
-    return shares[k - 1] + std::min(std::max(t, 0.0), 1.0) * (shares[k] - shares[k - 1]);
-  }
-};
-
-// Every circle around the middle to the radius at which it has its share of the target inside.
-void spreadRings(const TargetMeasure& target, const std::vector<LoopOnCircle>& loops, double inner, Points2& image) {
-  const Eigen::VectorXd radii = image.rowwise().norm();
-  const RadialShares within(radii, target.vertices());
-  const double hole = inner * inner;
-  for (Eigen::Index v = 0; v < image.rows(); ++v) {
-    image.row(v) *= std::sqrt(hole + (1 - hole) * within.at(radii[v])) / radii[v];
-  }
-  for (const LoopOnCircle& loop : loops) {
-    const double onto = &loop == &loops.front() ? 1 : inner;
-    for (const int v : loop.vertices) image.row(v) *= onto / image.row(v).norm();
-  }
-}
-
-Points2 makeStart(const PolyAnnulusMesh& surface, const TargetMeasure& target, const CircleDomainAreas& areas,
-                  const std::vector<LoopOnCircle>& loops, bool concentric, Points2 image, const Execution& execution) {
-  if (concentric) spreadRings(target, loops, areas.radius(image, 1), image);
-  else stretchHoles(areas, loops, image);
-  UnfoldResult unfolded = unfold(surface.topology(), std::move(image), execution);
-  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
-    throw GeometryError("A start that can be unfolded is required, but " + std::to_string(unfolded.flippedFaces) +
-                        " faces stay folded around the holes; take hole areas nearer to those of the conformal map.");
-  }
-  return std::move(unfolded.image);
-}
-
-double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image) {
-  const double whole = polygonArea(image, loops.front().vertices);
-  double worst = 0;
-  for (std::size_t k = 1; k < loops.size(); ++k) {
-    worst = std::max(worst, std::abs(std::log(-polygonArea(image, loops[k].vertices) / (whole * loops[k].share))));
-  }
-  return worst;
-}
-
-}  // namespace
 
 void CircleDomainAuthalicMapOptions::validate(const PolyAnnulusMesh& surface) const {
   solve.validate();
-  const std::size_t holes = surface.loops().size() - 1;
-  if (concentric && holes != 1) {
-    throw TopologyError("A surface with 2 boundary loops is required for a concentric map, but it has " +
-                        std::to_string(holes + 1) + "; take the domain circle-domain.");
-  }
-  if (!holeAreas.empty() && holeAreas.size() != holes) {
-    throw InvalidArgument("One area for each of the " + std::to_string(holes) + " holes is required, but there are " +
-                          std::to_string(holeAreas.size()) + ".");
-  }
-  for (const double area : holeAreas) {
-    if (!(area > 0 && std::isfinite(area))) {
-      throw InvalidArgument("Positive hole areas are required, but one is " + std::to_string(area) + ".");
-    }
-  }
+  CircleDomainHoles::validate(surface);
 }
 
 CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& surface, const TargetMeasure& target,
@@ -217,33 +19,23 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
                                                       const Execution& execution) {
   options.validate(surface);
   requireTargetOf(surface.mesh(), target);
-  const auto begun = std::chrono::steady_clock::now();
-  const ConformalStart conformal = conformalStart(surface, options, execution.part(0, 0.2));
+  Stopwatch watch;
+  const CircleDomainStart start = circleDomainStart(surface, target, options, execution.part(0, 0.3));
   CircleDomainAuthalicMapResult result;
   result.status = Status::Cancelled;
-  if (conformal.status == Status::Cancelled) return result;
-  result.outerLoop = conformal.outerLoop;
-  result.pockets = conformal.pockets;
-  result.holeAreas = options.holeAreas;
-  for (std::size_t k = 0; k < surface.loops().size() && options.holeAreas.empty(); ++k) {
-    if (static_cast<int>(k) != conformal.outerLoop) {
-      result.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
-    }
-  }
-  const std::vector<LoopOnCircle> loops = loopsOf(surface, conformal, result.holeAreas);
-  const CircleDomainAreas areas(surface.mesh().faces(), loops, surface.mesh().vertexCount());
-  const Points2 start = makeStart(surface, target, areas, loops, options.concentric, conformal.image,
-                                  execution.part(0.2, 0.3));
-  const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options.solve, execution.part(0.3, 1));
+  if (start.image.rows() == 0) return result;
+  const double startSeconds = watch.lap();
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
+  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start.image, options.solve, execution.part(0.3, 1));
   result.image = solved.image;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
+  result.outerLoop = start.outerLoop;
+  result.pockets = start.pockets;
+  result.holeAreas = start.holeAreas;
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());
-  result.holeResidual = holeResidual(loops, result.image);
-  std::vector<LoopOnCircle> inOrder(loops.begin() + 1, loops.end());
-  inOrder.insert(inOrder.begin() + conformal.outerLoop, loops.front());
-  for (const LoopOnCircle& loop : inOrder) result.circles.push_back(fitCircle(result.image, loop.vertices));
+  result.holeResidual = holeResidual(start.loops, result.image);
+  result.circles = circlesOf(start, result.image);
   execution.report(1, "Authalic map");
   return result;
 }

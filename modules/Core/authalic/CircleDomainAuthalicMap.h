@@ -5,21 +5,15 @@
 #include <vector>
 
 #include "Core/authalic/AuthalicMap.h"
-#include "Core/mesh/PolyAnnulusMesh.h"
+#include "Core/authalic/CircleDomainHoles.h"
 #include "Core/numerics/CircleFit.h"
 
 namespace authalic {
 
-struct CircleDomainAuthalicMapOptions {
-  AuthalicMapOptions solve;       ///< its domain is not read
-  bool concentric = false;        ///< two loops only: the hole is in the middle of the disk
-  int outerLoop = -1;             ///< loop of PolyAnnulusMesh::loops() that becomes the unit circle; −1 = the longest
-                                  ///< (mm)
-  /// Areas of the holes, mm², one per loop but the outer one, in the order of loops(); what counts is their ratio to
-  /// the area of the surface. Empty: of the cones that close them on the surface, tip in the mean of the loop.
-  std::vector<double> holeAreas;
+struct CircleDomainAuthalicMapOptions : CircleDomainHoles {
+  AuthalicMapOptions solve;  ///< its domain is not read
 
-  /// @throws InvalidArgument naming the field that is outside its range.
+  /// @throws as CircleDomainHoles::validate and AuthalicMapOptions::validate
   void validate(const PolyAnnulusMesh& surface) const;
 };
 

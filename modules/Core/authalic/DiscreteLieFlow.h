@@ -1,5 +1,6 @@
 /// @file
-/// Area-preserving and measure-controlled maps of a disk by the discrete Lie flow.
+/// Area-preserving and measure-controlled maps by the discrete Lie flow: of a disk, and what those of other surfaces
+/// share.
 #pragma once
 
 #include <vector>
@@ -21,7 +22,7 @@ enum class LieFlowFinish {
 };
 
 struct DiscreteLieFlowOptions {
-  PlanarDomain domain;        ///< unit disk; must be the domain of the initial map
+  PlanarDomain domain;        ///< unit disk; must be the domain of the initial map; for maps of a disk only
   double tolerance = 5e-3;    ///< stop when the residual falls below it, > 0
   int maxIterations = 60;     ///< steps of the flow, ≥ 0
   double flowTolerance = 0.05;///< hand over to Match when the flow's own residual falls below it, > 0; also
@@ -46,8 +47,8 @@ struct LieFlowIteration {
   bool finishing = false; ///< a step on the original connectivity
 };
 
-struct DiscreteLieFlowResult {
-  Points2 image;                  ///< n×2, on the domain; vertices in the order of the input
+/// How a flow ended, on any domain.
+struct LieFlowSolution {
   Status status = Status::NotRun; ///< Converged: residual ≤ tolerance on the original connectivity, and no fold
   bool balancedStart = false;     ///< the initial map was too far off and was balanced first, see discreteLieFlow
   int iterations = 0;             ///< steps of the flow
@@ -56,9 +57,15 @@ struct DiscreteLieFlowResult {
   bool collapsed = false;         ///< a fixed step folded the flowing mesh; the image is the one before that step
   int edgeFlips = 0;              ///< total of the flow
   int flippedBeforeFinish = 0;    ///< original faces folded when the flow ended
+  bool flowUndone = false;        ///< folds stayed after the flow, or a few faces pinned it far from the target (four
+                                  ///< steps below 1e-3, mean |ln r| > 0.6): the finish began at its start instead
   int flippedFaces = 0;           ///< original faces folded in `image`
   std::vector<LieFlowIteration> history;
   double startSeconds = 0, flowSeconds = 0, unfoldSeconds = 0, finishSeconds = 0;
+};
+
+struct DiscreteLieFlowResult : LieFlowSolution {
+  Points2 image;  ///< n×2, on the domain; vertices in the order of the input
 };
 
 /// Flows a map of a disk until every vertex star has its target area.
@@ -83,17 +90,23 @@ struct DiscreteLieFlowResult {
 /// its place and the flow is left out (`balancedStart`, 0 iterations): what is left to do are the least-squares Lie
 /// steps.
 ///
+/// On a polygon that is not convex the initial map may be folded beyond unfolding; then only its boundary is taken,
+/// and the start is a map of the surface to the disk, followed by the inverse of one of the polygon (polygonStart in
+/// authalic/). Where unfolding after the flow leaves folds, the finish begins at that start
+/// (`flowUndone`).
+///
 /// @param initial  n×2, a map to the same domain, boundary on its boundary (any barycentric map); folds in it are
 ///                 unfolded first
 /// @param target   shares per face, from TargetMeasure for this surface
 ///
-/// Guarantees: with finish ≠ None the image has no folded face on a convex domain, whatever the status; it is finite;
-/// the boundary lies on the boundary of the domain (pockets excepted, see BoundaryPlacement). Not guaranteed: that the
-/// tolerance is reached (→ status, residual), a bound on angle distortion, the optimal-transport map.
+/// Guarantees: with finish ≠ None the image has no folded face, whatever the status; it is finite;
+/// the boundary lies on the boundary of the domain (pockets excepted, see BoundaryPlacement). Not guaranteed: that
+/// the tolerance is reached (→ status, residual), a bound on angle distortion, the optimal-transport map.
 /// Complexity: one sparse factorisation per step, O(n^1.5).
 /// When cancelled, the last valid iterate is returned with Status::Cancelled.
-/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the domain;
-///         SolverError when a system cannot be factorised
+/// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the disk or the
+///         domain, or no start without folds was found (polygons that are not convex only); SolverError when a system
+///         cannot be factorised
 [[nodiscard]] DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initial,
                                                     const TargetMeasure& target,
                                                     const DiscreteLieFlowOptions& options = {},

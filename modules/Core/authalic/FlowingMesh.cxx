@@ -1,5 +1,8 @@
 #include "Core/authalic/FlowingMesh.h"
 
+#include <Eigen/Geometry>
+
+#include "Core/geometry/SphericalAreas.h"
 #include "Core/mesh/SurfaceTopology.h"
 
 namespace authalic {
@@ -18,12 +21,21 @@ Faces withoutFrozen(const Faces& faces, const std::vector<char>& frozen) {
 // Cross and dot product of the edge vectors a − c and b − c.
 struct Corner {
   double cross, dot;
-  Corner(const Points2& p, int a, int b, int c) {
+  Corner(const Coordinates& p, int a, int b, int c) {
     const double ux = p(a, 0) - p(c, 0), uy = p(a, 1) - p(c, 1), vx = p(b, 0) - p(c, 0), vy = p(b, 1) - p(c, 1);
     cross = ux * vy - uy * vx;
     dot = ux * vx + uy * vy;
   }
 };
+
+// Whether the quad a d b c, all unit vectors, is convex, and its diagonal a b not that of the convex hull.
+bool shouldFlipOnSphere(const Coordinates& p, int a, int b, int c, int d) {
+  const auto row = [&p](int v) { return Eigen::Vector3d(p.row(v).transpose()); };
+  const Eigen::Vector3d u = row(b) - row(a), v = row(c) - row(a), w = row(d) - row(a);
+  const Eigen::Vector3d normal = u.cross(v);
+  if (!(normal.dot(w) > 1e-12 * normal.norm() * w.norm())) return false;
+  return signedDeterminant(row(c), row(a), row(d)) > 0 && signedDeterminant(row(d), row(b), row(c)) > 0;
+}
 
 }  // namespace
 
@@ -34,11 +46,12 @@ FlowingMesh::FlowingMesh(const Faces& faces, int vertexCount, const std::vector<
   for (std::size_t h = 0; h < opposite_.size(); ++h) opposite_[h] = topology.opposite(static_cast<int>(h));
 }
 
-bool FlowingMesh::shouldFlip(const Points2& points, int h) const {
+bool FlowingMesh::shouldFlip(const Coordinates& points, int h) const {
   const int g = opposite_[static_cast<std::size_t>(h)];
   if (g < 0) return false;
   const int a = faces_(h / 3, h % 3), b = faces_(h / 3, (h + 1) % 3), c = faces_(h / 3, (h + 2) % 3),
             d = faces_(g / 3, (g + 2) % 3);
+  if (points.cols() == 3) return shouldFlipOnSphere(points, a, b, c, d);
   const Corner atC(points, a, b, c), atD(points, b, a, d);
   if (!(atC.cross > 0 && atD.cross > 0)) return false;
   if (atC.dot * atD.cross + atD.dot * atC.cross >= -1e-12 * atC.cross * atD.cross) return false;  // cot + cot ≥ 0
@@ -68,7 +81,7 @@ void FlowingMesh::flip(int h) {
   for (const int k : {3 * f, 3 * f + 1, 3 * e, 3 * e + 1}) stack_.push_back(k);
 }
 
-int FlowingMesh::makeDelaunay(const Points2& points) {
+int FlowingMesh::makeDelaunay(const Coordinates& points) {
   const int halfEdges = static_cast<int>(3 * faces_.rows());
   stack_.clear();
   for (int h = halfEdges - 1; h >= 0; --h) {

@@ -1,9 +1,10 @@
 /// @file
-/// A planar triangulation whose edges flip while its vertices flow. Private to authalic/.
+/// A triangulation of the plane or the sphere whose edges flip while its vertices flow. Private to authalic/.
 #pragma once
 
 #include <vector>
 
+#include "Core/authalic/AreaFunctional.h"
 #include "Core/mesh/TriangleMesh.h"
 
 namespace authalic {
@@ -18,15 +19,18 @@ class FlowingMesh {
   /// @param frozen  m flags: faces left out of the flowing mesh (their inner edges become outline); empty = none
   FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen = {});
 
-  /// Flip edges until every inner edge is Delaunay (opposite angles sum to at most π, up to 1e-12 in the cotangents).
-  /// @param points  n×2, every face counter-clockwise; stays so: an edge flips only inside a strictly convex quad
+  /// Flip edges until every inner edge is Delaunay: in the plane, opposite angles sum to at most π (up to 1e-12 in
+  /// the cotangents); on the sphere, no vertex lies above the plane of the face beside it, so that the flat faces
+  /// are the convex hull.
+  /// @param points  n×2 or n×3, every face counter-clockwise; stays so: an edge flips only inside a strictly
+  ///                convex quad
   /// @return the number of flips
-  int makeDelaunay(const Points2& points);
+  int makeDelaunay(const Coordinates& points);
 
   [[nodiscard]] const Faces& faces() const noexcept { return faces_; }
 
  private:
-  [[nodiscard]] bool shouldFlip(const Points2& points, int halfEdge) const;
+  [[nodiscard]] bool shouldFlip(const Coordinates& points, int halfEdge) const;
   void flip(int halfEdge);
   void join(int halfEdge, int opposite);
 

@@ -1,5 +1,6 @@
 /// @file
-/// Area-preserving maps of a disk by Lie advection in a given number of steps.
+/// Area-preserving maps by Lie advection in a given number of steps: of a disk, and what those of other surfaces
+/// share.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 namespace authalic {
 
 struct LieAdvectionOptions {
-  PlanarDomain domain;  ///< unit disk; must be the domain of the initial map
+  PlanarDomain domain;  ///< unit disk; must be the domain of the initial map; for maps of a disk only
   int steps = 50;       ///< K, ≥ 1; the paper's choice
   bool unfold = true;   ///< unfold original faces that are folded at the end
   SolverBackend solver = SolverBackend::Automatic;
@@ -18,8 +19,8 @@ struct LieAdvectionOptions {
   void validate() const;
 };
 
-struct LieAdvectionResult {
-  Points2 image;                   ///< n×2, on the domain; vertices in the order of the input
+/// How an advection ended, on any domain.
+struct LieAdvectionSolution {
   Status status = Status::NotRun;  ///< Converged: all K steps were taken in full; NotConverged: some were cut short
   int iterations = 0;              ///< steps taken
   int slowedVertices = 0;          ///< most vertices that were slowed in one step, lest a face folds
@@ -30,6 +31,10 @@ struct LieAdvectionResult {
   int flippedFaces = 0;            ///< original faces folded in `image`
   double startSeconds = 0, advectionSeconds = 0, unfoldSeconds = 0;
   std::vector<LieFlowIteration> history;  ///< one entry per step; `step` = part of the displacement that was taken
+};
+
+struct LieAdvectionResult : LieAdvectionSolution {
+  Points2 image;  ///< n×2, on the domain; vertices in the order of the input
 };
 
 /// Advects the area form of the plane to that of the surface in K steps @cite zou2011 (Algorithm 1).
@@ -47,7 +52,8 @@ struct LieAdvectionResult {
 /// themselves (`slowedVertices`); where that does not suffice the step is halved, and counted. The schedule makes
 /// up for it later. λ is kept within e^±3 in one step.
 ///
-/// @param initial  n×2, a map to the same domain, boundary on its boundary; folds in it are unfolded first
+/// @param initial  n×2, a map to the same domain, boundary on its boundary; folds in it are unfolded first; on a
+///                 polygon that is not convex as in discreteLieFlow()
 /// Guarantees: with `unfold`, no folded face on a convex domain; finite; the boundary on that of the domain (pockets
 /// excepted). Not guaranteed: exact areas (→ residual); see authalicMap() for those. Complexity: K sparse
 /// factorisations, O(K n^1.5). When cancelled, the last iterate is returned with Status::Cancelled.

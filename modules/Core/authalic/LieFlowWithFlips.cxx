@@ -4,14 +4,21 @@
 #include "Core/authalic/FlowingMesh.h"
 #include "Core/authalic/LieFlowStages.h"
 #include "Core/geometry/Areas.h"
-#include "Core/geometry/Laplacian.h"
-#include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
 namespace {
 
 constexpr double kFarFromTarget = 0.6;  // mean |ln r| above which the flow is never handed over for being slow
+constexpr double kPinnedStep = 1e-3;
+constexpr std::ptrdiff_t kPinnedSteps = 4;
 constexpr double kWantedStep = 0.5;  // faces that would collapse before it are relaxed
+
+// Whether the last steps were so short that a few faces pin the flow.
+bool pinned(const std::vector<LieFlowIteration>& history, const DiscreteLieFlowOptions& options) {
+  const bool handsOver = options.finish == LieFlowFinish::Match && options.fixedStep <= 0;
+  if (!handsOver || std::ptrdiff_t(history.size()) < kPinnedSteps) return false;
+  return std::all_of(history.end() - kPinnedSteps, history.end(), [](const auto& x) { return x.step < kPinnedStep; });
+}
 
 // Whether the last steps have not paid: neither measure of the error fell by the share it should over the last few.
 bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now,
@@ -24,56 +31,59 @@ bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& 
   return now.residual > share * before.residual && now.meanAbsLog > share * before.meanAbsLog;
 }
 
+// The fixed step, or the longest adaptive one that folds nothing. @return where it leads
+Coordinates takeStep(const AreaFunctional& areas, const Coordinates& image, const DiscreteLieFlowOptions& options,
+                     Coordinates& velocity, double& step) {
+  const bool adaptive = options.fixedStep <= 0;
+  if (adaptive) relaxPinned(areas, image, kWantedStep, velocity);
+  step = adaptive ? std::min(1.0, options.stepRatio * flipFreeStep(areas, image, velocity)) : options.fixedStep;
+  Coordinates moved = areas.moved(image, velocity, step);
+  for (int halving = 0; adaptive && halving < 30 && countFolded(areas, moved) > 0; ++halving) {
+    step *= 0.5;
+    moved = areas.moved(image, velocity, step);
+  }
+  return moved;
+}
+
 }  // namespace
 
-void flowWithFlips(const DiskMesh& disk, const BoundaryPlacement& placement, const SlidingBoundary& sliding,
-                   const TargetMeasure& target, const DiscreteLieFlowOptions& options, const Execution& execution,
-                   DiscreteLieFlowResult& result) {
-  const bool pockets = !placement.pockets.empty();
-  FlowingMesh mesh(disk.mesh().faces(), disk.mesh().vertexCount(), pockets ? placement.inPocket : std::vector<char>());
-  const Eigen::VectorXd targets = flowingTargets(disk, placement, target);
+void flowWithFlips(const LieFlowDomain& domain, const DiscreteLieFlowOptions& options, const Execution& execution,
+                   Coordinates& image, LieFlowSolution& solution) {
+  const int vertexCount = static_cast<int>(image.rows());
+  FlowingMesh mesh(domain.faces(), vertexCount, domain.frozen());
+  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(mesh.faces());
+  const Eigen::VectorXd& targets = domain.flowingTargets();
   const double goal = options.finish == LieFlowFinish::Match ? std::max(options.flowTolerance, options.tolerance)
                                                              : options.tolerance;
-  result.status = Status::NotConverged;
-  for (result.iterations = 0;; ++result.iterations) {
-    const int flips = mesh.makeDelaunay(result.image);
-    const Eigen::VectorXd faceArea = signedFaceAreas(result.image, mesh.faces());
-    const Eigen::VectorXd areas = vertexStars(faceArea, mesh.faces(), disk.mesh().vertexCount());
-    LieFlowIteration now = measureStars(areas, targets);
+  solution.status = Status::NotConverged;
+  for (solution.iterations = 0;; ++solution.iterations) {
+    const int flips = mesh.makeDelaunay(image);
+    const Eigen::VectorXd faceArea = areas->areas(image);
+    const Eigen::VectorXd stars = vertexStars(faceArea, mesh.faces(), vertexCount);
+    LieFlowIteration now = measureStars(stars, targets);
     now.edgeFlips = flips;
-    result.edgeFlips += flips;
-    if (now.residual <= goal) result.status = Status::Converged;
-    if (result.status == Status::NotConverged && slow(result.history, now, options)) {
-      result.status = Status::Stalled;
+    solution.edgeFlips += flips;
+    if (now.residual <= goal) solution.status = Status::Converged;
+    if (solution.status == Status::NotConverged &&
+        (slow(solution.history, now, options) || pinned(solution.history, options))) {
+      solution.status = Status::Stalled;
     }
-    if (execution.cancelled()) result.status = Status::Cancelled;
-    if (result.status != Status::NotConverged || result.iterations >= options.maxIterations) break;
-    execution.report(double(result.iterations) / options.maxIterations, "Discrete Lie flow");
+    if (execution.cancelled()) solution.status = Status::Cancelled;
+    if (solution.status != Status::NotConverged || solution.iterations >= options.maxIterations) break;
+    execution.report(double(solution.iterations) / options.maxIterations, "Discrete Lie flow");
 
-    const Eigen::VectorXd rightHandSide = areas - targets * faceArea.sum();
-    const Eigen::VectorXd h = solvePoisson(result.image, mesh.faces(), rightHandSide, options.solver);
-    Points2 velocity = vertexGradients(result.image, mesh.faces(), h);
-    sliding.keepTangential(result.image, velocity);
-    if (options.fixedStep <= 0) relaxPinned(result.image, mesh.faces(), sliding, kWantedStep, velocity);
-    const double limit = flipFreeStep(result.image, velocity, mesh.faces(), execution);
-    now.step = options.fixedStep > 0 ? options.fixedStep : std::min(1.0, options.stepRatio * limit);
-    Points2 moved = result.image + now.step * velocity;
-    sliding.retract(moved);
-    for (int halving = 0; options.fixedStep <= 0 && halving < 30 && countFlippedFaces(moved, mesh.faces()) > 0;
-         ++halving) {
-      now.step *= 0.5;
-      moved = result.image + now.step * velocity;
-      sliding.retract(moved);
-    }
-    result.history.push_back(now);
-    if (countFlippedFaces(moved, mesh.faces()) > 0) {
-      result.collapsed = options.fixedStep > 0;
-      result.status = Status::Stalled;
+    Coordinates velocity = poissonVelocity(*areas, image, stars - targets * faceArea.sum(), options.solver);
+    const Coordinates moved = takeStep(*areas, image, options, velocity, now.step);
+    solution.history.push_back(now);
+    if (countFolded(*areas, moved) > 0) {
+      solution.collapsed = options.fixedStep > 0;
+      solution.status = Status::Stalled;
       break;
     }
-    result.image = moved;
+    image = moved;
   }
-  sliding.carryPockets(result.image);
+  solution.flowUndone = pinned(solution.history, options) && solution.history.back().meanAbsLog > kFarFromTarget;
+  domain.carryFrozen(image);
 }
 
 }  // namespace authalic

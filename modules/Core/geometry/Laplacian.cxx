@@ -65,9 +65,13 @@ double angleBetween(double ux, double uy, double vx, double vy) {
 }  // namespace
 
 HalfEdgeWeights cotangentWeights(const TriangleMesh& surface) {
-  HalfEdgeWeights weights(surface.faceCount(), 3);
-  for (int f = 0; f < surface.faceCount(); ++f) {
-    const Eigen::Vector3d a = surface.corner(f, 0), b = surface.corner(f, 1), c = surface.corner(f, 2);
+  return cotangentWeights(surface.points(), surface.faces());
+}
+
+HalfEdgeWeights cotangentWeights(const Points3& points, const Faces& faces) {
+  HalfEdgeWeights weights(faces.rows(), 3);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const Eigen::Vector3d a = points.row(faces(f, 0)), b = points.row(faces(f, 1)), c = points.row(faces(f, 2));
     weights.row(f) = halfCotangents<Eigen::Vector3d>(b - a, c - b, a - c, (b - a).cross(c - a).norm());
   }
   return weights;
@@ -126,6 +130,31 @@ Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::
                                         points(l, 0) - points(i, 0), points(l, 1) - points(i, 1));
       gradients.row(i) += angle * ofFace.row(f);
       angles[i] += angle;
+    }
+  }
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (angles[i] > 0) gradients.row(i) /= angles[i];
+  }
+  return gradients;
+}
+
+Points3 vertexGradients(const Points3& points, const Faces& faces, const Eigen::VectorXd& u) {
+  Points3 gradients = Points3::Zero(points.rows(), 3);
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(points.rows());
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    const std::array<Eigen::Vector3d, 3> p{points.row(faces(f, 0)), points.row(faces(f, 1)), points.row(faces(f, 2))};
+    const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    if (!(normal.squaredNorm() > 0)) continue;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      gradient += u[faces(f, static_cast<Eigen::Index>(k))] * normal.cross(p[(k + 2) % 3] - p[(k + 1) % 3]);
+    }
+    gradient /= normal.squaredNorm();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3d e = p[(k + 1) % 3] - p[k], g = p[(k + 2) % 3] - p[k];
+      const double angle = std::atan2(e.cross(g).norm(), e.dot(g));
+      gradients.row(faces(f, static_cast<Eigen::Index>(k))) += angle * gradient.transpose();
+      angles[faces(f, static_cast<Eigen::Index>(k))] += angle;
     }
   }
   for (Eigen::Index i = 0; i < points.rows(); ++i) {

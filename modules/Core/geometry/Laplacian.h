@@ -17,6 +17,7 @@ using HalfEdgeWeights = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor
 /// The double area in the denominator is kept above 1e-10 of the squared edge lengths, so that a degenerate face
 /// gives large finite weights whose element matrix is still positive semi-definite.
 [[nodiscard]] HalfEdgeWeights cotangentWeights(const TriangleMesh& surface);
+[[nodiscard]] HalfEdgeWeights cotangentWeights(const Points3& points, const Faces& faces);
 /// The same in the plane (angles do not depend on orientation).
 [[nodiscard]] HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces);
 
@@ -44,5 +45,7 @@ struct MeanValueWeights {
 /// Face gradients averaged to the vertices with the incident angles as weights, n×2.
 /// @cite zou2011 (eq. 16)
 [[nodiscard]] Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u);
+/// The same on a surface, n×3: the gradients of the flat faces, which need not be tangential at a vertex.
+[[nodiscard]] Points3 vertexGradients(const Points3& points, const Faces& faces, const Eigen::VectorXd& u);
 
 }  // namespace authalic

@@ -35,7 +35,10 @@ METHODS: dict[str, Method] = {
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
+    "lie-flow-sphere": Method("vtkSphericalLieFlow", surface="sphere"),
+    "lie-flow-holes": Method("vtkCircleDomainLieFlow", surface="annulus"),
     "lie-advection": Method("vtkLieAdvection"),
+    "lie-advection-sphere": Method("vtkSphericalLieAdvection", surface="sphere"),
     "stretch-energy": Method("vtkStretchEnergyMap"),
     "stretch": Method("vtkStretchMinimisation"),
     "riemann": Method("vtkRiemannMap"),
@@ -132,8 +135,8 @@ def flatten(points: Any,
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
-                "lie-flow", "lie-advection", "stretch-energy": methods of the literature for it; "stretch": one for
-                little stretch;
+                "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
+                "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
                 "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
@@ -155,8 +158,8 @@ def flatten(points: Any,
                 same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
-    hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest
-                vertex ids; None = of the cones that close them
+    hole_areas  of "authalic-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2, in the order of the
+                loops' smallest vertex ids; None = of the cones that close them
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"

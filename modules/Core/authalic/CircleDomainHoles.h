@@ -1,0 +1,23 @@
+/// @file
+/// What becomes of the boundary loops in area-preserving maps of surfaces with holes.
+#pragma once
+
+#include <vector>
+
+#include "Core/mesh/PolyAnnulusMesh.h"
+
+namespace authalic {
+
+struct CircleDomainHoles {
+  bool concentric = false;  ///< two loops only: the hole is in the middle of the disk
+  int outerLoop = -1;       ///< loop of PolyAnnulusMesh::loops() that becomes the unit circle; −1 = the longest (mm)
+  /// Areas of the holes, mm², one per loop but the outer one, in the order of loops(); what counts is their ratio to
+  /// the area of the surface. Empty: of the cones that close them on the surface, tip in the mean of the loop.
+  std::vector<double> holeAreas;
+
+  /// @throws InvalidArgument naming the field that is outside its range, TopologyError when a concentric map is
+  ///         asked of a surface that has not 2 loops
+  void validate(const PolyAnnulusMesh& surface) const;
+};
+
+}  // namespace authalic

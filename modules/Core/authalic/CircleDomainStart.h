@@ -1,0 +1,33 @@
+/// @file
+/// The start of area-preserving maps of surfaces with holes, and what they measure in the end. Private to authalic/.
+#pragma once
+
+#include <vector>
+
+#include "Core/authalic/CircleDomainAreas.h"
+#include "Core/authalic/CircleDomainHoles.h"
+#include "Core/authalic/TargetMeasure.h"
+#include "Core/base/Execution.h"
+#include "Core/numerics/CircleFit.h"
+
+namespace authalic {
+
+struct CircleDomainStart {
+  Points2 image;                    ///< n×2, no face folded; empty when cancelled
+  std::vector<LoopOnCircle> loops;  ///< the outer one first, holes in the order of the surface's loops
+  std::vector<double> holeAreas;    ///< as in CircleDomainHoles, none left open
+  int outerLoop = 0, pockets = 0;
+};
+
+/// The conformal map with holes of their areas: see circleDomainAuthalicMap().
+/// @throws GeometryError when a hole does not fit between the others, or folds stay
+[[nodiscard]] CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                                  const CircleDomainHoles& holes, const Execution& execution);
+
+/// max |ln r| of the holes, r = share of the image / prescribed share.
+[[nodiscard]] double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image);
+
+/// The circles of an image, in the order of the surface's loops.
+[[nodiscard]] std::vector<FittedCircle> circlesOf(const CircleDomainStart& start, const Points2& image);
+
+}  // namespace authalic
