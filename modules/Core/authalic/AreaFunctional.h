@@ -23,6 +23,8 @@ class AreaFunctional {
   using Frames = Coordinates;
   /// Derivatives of the areas by steps: entry (t, 2 k + j) belongs to direction j of corner k.
   using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+  /// Products ⟨u, v⟩ of the directions of a face's corners: entry (2 k + i, 2 l + j), direction i of corner k.
+  using FrameProducts = Eigen::Matrix<double, 6, 6>;
 
   virtual ~AreaFunctional() = default;
 
@@ -40,6 +42,8 @@ class AreaFunctional {
   [[nodiscard]] virtual Frames frames(const Coordinates& image) const = 0;
   /// ∂a_t along the frames. O(m)
   [[nodiscard]] virtual Gradients gradients(const Coordinates& image, const Frames& frames) const = 0;
+  /// Of the directions as the face sees them; by default as the frames have them.
+  [[nodiscard]] virtual FrameProducts frameProducts(const Frames& frames, int face) const;
   /// image + t · displacement, back on the domain.
   [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
                                           double t) const = 0;

@@ -71,17 +71,12 @@ void FaceMatch::linearise(const Coordinates& image) {
 }
 
 void FaceMatch::fillElement(Eigen::Index face) {
-  const Faces& faces = areas_.faces();
-  const Eigen::Index dimension = frames_.cols() / 2;
+  const AreaFunctional::FrameProducts products = areas_.frameProducts(frames_, static_cast<int>(face));
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
-    const double* u = frames_.row(faces(face, a / 2)).data() + (a % 2) * dimension;
     for (int b = a; b < 6; ++b, ++value) {
-      const double* v = frames_.row(faces(face, b / 2)).data() + (b % 2) * dimension;
-      double product = 0;
-      for (Eigen::Index d = 0; d < dimension; ++d) product += u[d] * v[d];
       *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
-               damping_ * stiffness_[face] * (a / 2 == b / 2 ? product : -0.5 * product);
+               damping_ * stiffness_[face] * (a / 2 == b / 2 ? products(a, b) : -0.5 * products(a, b));
     }
   }
 }
