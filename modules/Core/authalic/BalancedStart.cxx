@@ -52,7 +52,8 @@ double areaDistortion(const Eigen::VectorXd& areas, const Eigen::VectorXd& targe
 BarycentricImage planar(const Faces& faces, const std::vector<char>& held, const Points2& shifts,
                         SolverBackend backend) {
   const auto solver = std::make_shared<BarycentricSolver>(faces, held, backend);
-  return {[solver, shifts](const HalfEdgeWeights& weights, Points2& image) { solver->solve(weights, image, shifts); },
+  return {HalfEdgeWeights::Constant(faces.rows(), 3, 1.0),
+          [solver, shifts](const HalfEdgeWeights& weights, Points2& image) { solver->solve(weights, image, shifts); },
           [&faces, shifts](const Points2& image) {
             return shifts.size() == 0 ? signedFaceAreas(image, faces) : periodicFaceAreas(image, shifts, faces);
           }};
@@ -80,7 +81,7 @@ std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& coll
 Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
                       const TargetMeasure& target, double goodEnough, const Execution& execution) {
   const Faces& faces = topology.faces();
-  HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
+  HalfEdgeWeights weights = map.weights;
   Points2 best = image, current = image;
   double least = areaDistortion(map.areas(image), target.faces()), error = 1;
   for (int round = 0; round < kRounds && error > goodEnough; ++round) {

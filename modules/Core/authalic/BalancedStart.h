@@ -42,6 +42,7 @@ namespace authalic {
 
 /// A barycentric map on any domain, and the areas of its faces.
 struct BarycentricImage {
+  HalfEdgeWeights weights;  ///< of the first round
   std::function<void(const HalfEdgeWeights& weights, Points2& image)> solve;
   std::function<Eigen::VectorXd(const Points2& image)> areas;
 };

@@ -14,11 +14,26 @@ namespace authalic {
 namespace {
 
 constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
+constexpr double kLeastWeight = 1e-2, kMostWeight = 1e2;
+
+// ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as they
+// would with equal weights.
+HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
+  HalfEdgeWeights weights = cotangentWeights(surface.mesh());
+  for (int h = 0; h < 3 * surface.mesh().faceCount(); ++h) {
+    const int g = surface.topology().opposite(h);
+    if (g < h) continue;
+    double &one = weights.data()[h], &other = weights.data()[g];
+    one = other = std::clamp(0.5 * (one + other), kLeastWeight, kMostWeight);
+  }
+  return weights;
+}
 
 Points2 makeStart(const HighGenusMesh& surface, const FlatConeSurface& flat, const SeamedAreas& areas,
                   const TargetMeasure& target, SolverBackend backend, const Execution& execution) {
   SeamedBarycentricSystem system(areas, backend);
   const BarycentricImage map{
+      positiveWeights(surface),
       [&system](const HalfEdgeWeights& weights, Points2& image) { system.solve(weights, image); },
       [&areas](const Points2& image) { return areas.areas(image); }};
   return balancedStart(surface.topology(), map, flat.places, target, kWithinSight, execution);
@@ -30,7 +45,7 @@ void describe(const HighGenusMesh& surface, FlatConeAuthalicMapResult& result) {
   result.seams = coneSeams(surface.topology(), result.flat, result.image);
   for (const ConeSeam& seam : result.seams) result.seamError = std::max(result.seamError, seam.error);
   Eigen::VectorXd wrong = angleSums(faces, result.flat.cut, result.image).array() - 2 * M_PI;
-  for (const int v : result.flat.cones) wrong[v] += result.flat.curvature;
+  for (std::size_t i = 0; i < result.flat.cones.size(); ++i) wrong[result.flat.cones[i]] += result.flat.curvature[i];
   result.angleError = wrong.cwiseAbs().maxCoeff();
   result.flippedFaces = countFlippedFaces(result.image, result.flat.cut.faces);
 }

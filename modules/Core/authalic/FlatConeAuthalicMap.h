@@ -22,7 +22,7 @@ struct FlatConeAuthalicMapResult : AuthalicSolution {
 /// authalicMap().
 ///
 /// A closed surface of genus g ≥ 2 has no flat metric without cones, for the curvature is 2πχ in all: here it sits in
-/// 4|χ| = 8(g − 1) cones of angle 5π/2 (flatConeSurface()). Cut open through them, the surface is a disk in the plane
+/// 8(g − 1) cones of angle 5π/2, or more with as many of angle 3π/2 (flatConeSurface()). Cut open through them, the surface is a disk in the plane
 /// whose seams are paired by rigid motions. There is one pair of unknowns per vertex, in a chart of its own; corners
 /// beyond a seam see it through the motions, so that every star is whole and no seam breaks. The motions and the cones
 /// are those of the conformal metric and stay. The start is the conformal layout or the barycentric map by positive

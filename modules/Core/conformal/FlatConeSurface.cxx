@@ -51,8 +51,8 @@ void scaleToUnitArea(DevelopedEdges& edges) {
 class Closing {
  public:
   Closing(const SurfaceTopology& topology, const std::vector<Complex>& place, FlatConeSurface& flat)
-      : topology_(topology), place_(place), flat_(flat), isCone_(at(topology.vertexCount()), 0) {
-    for (const int v : flat.cones) isCone_[at(v)] = 1;
+      : topology_(topology), place_(place), flat_(flat), curvature_(at(topology.vertexCount()), 0.0) {
+    for (std::size_t i = 0; i < flat.cones.size(); ++i) curvature_[at(flat.cones[i])] = flat.curvature[i];
     flat_.across.resize(place.size());
     flat_.corners.resize(place.size());
     flat_.places.resize(topology.vertexCount(), 2);
@@ -127,8 +127,9 @@ class Closing {
   void close(int h) {
     const int v = topology_.tail(h);
     const RigidMotion known = goAround(h, [](int, const RigidMotion&) {});
-    const RigidMotion whole = isCone_[at(v)] ? RigidMotion::about(place_[at(h)], flat_.curvature) : RigidMotion{};
-    if (isCone_[at(v)]) fixed_.push_back({h, place_[at(h)]});
+    const bool cone = curvature_[at(v)] != 0;
+    const RigidMotion whole = cone ? RigidMotion::about(place_[at(h)], curvature_[at(v)]) : RigidMotion{};
+    if (cone) fixed_.push_back({h, place_[at(h)]});
     setAcross(topology_.opposite(h), whole.after(known.inverse()));
   }
 
@@ -158,7 +159,7 @@ class Closing {
   const SurfaceTopology& topology_;
   const std::vector<Complex>& place_;
   FlatConeSurface& flat_;
-  std::vector<char> isCone_;
+  std::vector<double> curvature_;                // per vertex
   std::vector<int> branches_;                    // half-edges to the parent, parents first
   std::vector<int> first_ = std::vector<int>(at(topology_.vertexCount()), -1);  // corner whose chart the vertex has
   std::vector<std::pair<int, Complex>> fixed_;   // corners of cones and where they are
@@ -168,11 +169,12 @@ class Closing {
 
 FlatConeSurface flatConeSurface(const HighGenusMesh& surface, SolverBackend backend, const Execution& execution) {
   FlatConeSurface flat;
-  const int euler = surface.topology().eulerCharacteristic(), n = surface.mesh().vertexCount();
-  flat.curvature = -0.5 * M_PI;
-  flat.cones = placeCones(surface, -4 * euler, backend);
-  Eigen::VectorXd curvature = Eigen::VectorXd::Zero(n);
-  for (const int v : flat.cones) curvature[v] = flat.curvature;
+  for (const Cone& cone : placeCones(surface, backend)) {
+    flat.cones.push_back(cone.vertex);
+    flat.curvature.push_back(cone.curvature);
+  }
+  Eigen::VectorXd curvature = Eigen::VectorXd::Zero(surface.mesh().vertexCount());
+  for (std::size_t i = 0; i < flat.cones.size(); ++i) curvature[flat.cones[i]] = flat.curvature[i];
   IntrinsicTriangulation triangulation(surface.mesh(), surface.topology());
   triangulation.recordFlips();
   YamabeFlowOptions options;

@@ -19,7 +19,7 @@ namespace authalic {
 /// motions compose to the identity, around a cone to the turn by its curvature about its place, to rounding.
 struct FlatConeSurface {
   std::vector<int> cones;             ///< vertices
-  double curvature = 0;               ///< of each cone, radians < 0: its angle is 2π − curvature
+  std::vector<double> curvature;      ///< of each cone, ±π/2 radians: its angle is 2π − curvature
   CutGraph cut;
   std::vector<RigidMotion> across;    ///< 3m, on half-edges of the cut: from the side of its face to the other side
   std::vector<RigidMotion> corners;   ///< 3m
@@ -27,10 +27,10 @@ struct FlatConeSurface {
   YamabeFlowResult flow;              ///< of the metric (without its triangulation)
 };
 
-/// Finds a flat metric in the conformal class of the surface (yamabeFlow()) with 4|χ| cones of angle 5π/2 and lays it
-/// out.
+/// Finds a flat metric in the conformal class of the surface (yamabeFlow()) with cones of angle 5π/2 and 3π/2 and lays
+/// it out.
 ///
-/// Cones stand where they even out the scale factors most. The metric decides the turns across the 2g generators of
+/// There are 4|χ| more of the former than of the latter. Cones stand where they even out the scale factors most. The metric decides the turns across the 2g generators of
 /// the homology, the translations there and the places of the cones; all other motions follow by going around vertices
 /// (leaf by leaf of a spanning tree of the cut), so that they close to rounding, not only to the tolerance of the flow.
 /// Faces of the surface may come out folded where it is far from Delaunay.
