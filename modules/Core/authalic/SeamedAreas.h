@@ -23,7 +23,7 @@ class SeamedAreas final : public AreaFunctional {
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
   [[nodiscard]] const RigidMotion& motion(int face, int k) const {
-    return flat_.corners[static_cast<std::size_t>(3 * face + k)];
+    return flat_.motions.corners[static_cast<std::size_t>(3 * face + k)];
   }
   /// Where corner k of a face lies in the plane.
   [[nodiscard]] std::complex<double> corner(const Coordinates& image, int face, int k) const {

@@ -37,7 +37,7 @@ class SeamTracer {
 
   ConeSeam follow(int h) {
     ConeSeam seam;
-    seam.motion = flat_.across[at(h)];
+    seam.motion = flat_.motions.across[at(h)];
     for (;; h = after(h)) {
       const int g = topology_.opposite(h);
       done_[at(h)] = done_[at(g)] = 1;

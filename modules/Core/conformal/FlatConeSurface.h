@@ -4,25 +4,24 @@
 
 #include <vector>
 
+#include "Core/conformal/ConeHolonomy.h"
 #include "Core/conformal/YamabeFlow.h"
 #include "Core/mesh/HighGenusMesh.h"
-#include "Core/numerics/RigidMotion.h"
-#include "Core/topology/CutGraph.h"
 
 namespace authalic {
 
 /// Charts of a flat cone surface: every vertex has one place, every corner of a face sees it through a rigid motion.
 ///
 /// The cut reaches every cone and opens the surface to a disk, whose image in the plane need not be embedded: it may
-/// lie in several layers. Corner 3 f + k of that image is at corners[3 f + k](place of its vertex). Across an edge of
-/// the cut the plane is continued by across[h], constant along each seam; around a vertex that is no cone these
-/// motions compose to the identity, around a cone to the turn by its curvature about its place, to rounding.
+/// lie in several layers. Corner 3 f + k of that image is at motions.corners[3 f + k](place of its vertex). Across an
+/// edge of the cut the plane is continued by motions.across[h], constant along each seam; around a vertex that is no
+/// cone these motions compose to the identity, around a cone to the turn by its curvature about its place, to rounding.
 struct FlatConeSurface {
   std::vector<int> cones;             ///< vertices
   std::vector<double> curvature;      ///< of each cone, ±π/2 radians: its angle is 2π − curvature
   CutGraph cut;
-  std::vector<RigidMotion> across;    ///< 3m, on half-edges of the cut: from the side of its face to the other side
-  std::vector<RigidMotion> corners;   ///< 3m
+  ConeHolonomy holonomy;
+  ConeMotions motions;                ///< across the cut, and from charts to corners
   Points2 places;                     ///< n×2, in the chart of the vertex
   YamabeFlowResult flow;              ///< of the metric (without its triangulation)
 };
@@ -30,9 +29,8 @@ struct FlatConeSurface {
 /// Finds a flat metric in the conformal class of the surface (yamabeFlow()) with cones of angle 5π/2 and 3π/2 and lays
 /// it out.
 ///
-/// There are 4|χ| more of the former than of the latter. Cones stand where they even out the scale factors most. The metric decides the turns across the 2g generators of
-/// the homology, the translations there and the places of the cones; all other motions follow by going around vertices
-/// (leaf by leaf of a spanning tree of the cut), so that they close to rounding, not only to the tolerance of the flow.
+/// There are 4|χ| more of the former than of the latter. Cones stand where they even out the scale factors most. The metric decides the turns and the translations of
+/// the holonomy; the motions close to rounding, not only to the tolerance of the flow (ConeHolonomy).
 /// Faces of the surface may come out folded where it is far from Delaunay.
 /// When the flow does not converge, the charts close all the same; see flow.status.
 /// Complexity: that of the flow.
@@ -40,6 +38,9 @@ struct FlatConeSurface {
 /// @cite springborn2008
 [[nodiscard]] FlatConeSurface flatConeSurface(const HighGenusMesh& surface, SolverBackend backend,
                                               const Execution& execution = {});
+
+/// Other translations: motions of flat.holonomy, with the places of the cones that belong to them.
+void setMotions(FlatConeSurface& flat, ConeMotions motions);
 
 /// Places of the disk's vertices: the image of cut.faces. @param places  n×2, in the charts
 [[nodiscard]] Points2 openImage(const FlatConeSurface& flat, const Faces& faces, const Points2& places);
