@@ -7,6 +7,7 @@
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/HolonomyFit.h"
 #include "Core/authalic/SeamedBarycentricSystem.h"
 #include "Core/geometry/Areas.h"
 
@@ -29,14 +30,24 @@ HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
   return weights;
 }
 
-Points2 makeStart(const HighGenusMesh& surface, const FlatConeSurface& flat, const SeamedAreas& areas,
-                  const TargetMeasure& target, SolverBackend backend, const Execution& execution) {
+Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
+                  SolverBackend backend, FlatConeSurface& flat, const Execution& execution) {
   SeamedBarycentricSystem system(areas, backend);
+  const HalfEdgeWeights weights = positiveWeights(surface);
+  Points2 start = flat.places;
+  if (!(areas.areas(start).minCoeff() > 0)) {
+    system.factorize(weights);
+    system.solve(weights, flat.motions.corners, start);
+  }
+  fitHolonomy(surface.topology(), areas, target, weights, backend, flat, start, execution.part(0, 0.5));
   const BarycentricImage map{
-      positiveWeights(surface),
-      [&system](const HalfEdgeWeights& weights, Points2& image) { system.solve(weights, image); },
+      weights,
+      [&](const HalfEdgeWeights& now, Points2& image) {
+        system.factorize(now);
+        system.solve(now, flat.motions.corners, image);
+      },
       [&areas](const Points2& image) { return areas.areas(image); }};
-  return balancedStart(surface.topology(), map, flat.places, target, kWithinSight, execution);
+  return balancedStart(surface.topology(), map, start, target, kWithinSight, execution.part(0.5, 1));
 }
 
 void describe(const HighGenusMesh& surface, FlatConeAuthalicMapResult& result) {
@@ -60,7 +71,7 @@ FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, cons
   FlatConeAuthalicMapResult result;
   result.flat = flatConeSurface(surface, options.solver, execution.part(0, 0.2));
   const SeamedAreas areas(surface.mesh().faces(), result.flat);
-  const Points2 start = makeStart(surface, result.flat, areas, target, options.solver, execution.part(0.2, 0.4));
+  const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, execution.part(0.2, 0.4));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solveAreas(areas, target, start, options, execution.part(0.4, 1));
   result.flat.places = solved.image;

@@ -2,6 +2,8 @@
 /// Barycentric maps to a flat cone surface. Private to authalic/.
 #pragma once
 
+#include <vector>
+
 #include "Core/authalic/SeamedAreas.h"
 #include "Core/geometry/Laplacian.h"
 #include "Core/numerics/ElementAssembly.h"
@@ -17,9 +19,12 @@ class SeamedBarycentricSystem {
   SeamedBarycentricSystem(const SeamedAreas& areas, SolverBackend backend);
 
   /// @param weights  per half-edge, the same both ways, > 0
-  /// @param image    n×2, in the charts; holds the cones, takes the others
   /// @throws SolverError when the system is not definite
-  void solve(const HalfEdgeWeights& weights, Points2& image);
+  void factorize(const HalfEdgeWeights& weights);
+  /// With the weights of the last factorisation.
+  /// @param motions  of the corners, with the turns of the surface
+  /// @param image    n×2, in the charts; holds the cones, takes the others
+  void solve(const HalfEdgeWeights& weights, const std::vector<RigidMotion>& motions, Points2& image) const;
 
  private:
   const SeamedAreas& areas_;

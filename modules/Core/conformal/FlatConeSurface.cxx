@@ -73,7 +73,8 @@ FlatConeSurface flatConeSurface(const HighGenusMesh& surface, SolverBackend back
     const Complex place = image[at(flat.holonomy.chart(v))];
     flat.places.row(v) << place.real(), place.imag();
   }
-  setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.holonomy.parameters()));
+  flat.translations = flat.holonomy.parameters();
+  setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.translations));
   return flat;
 }
 

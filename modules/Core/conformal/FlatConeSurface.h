@@ -21,6 +21,7 @@ struct FlatConeSurface {
   std::vector<double> curvature;      ///< of each cone, ±π/2 radians: its angle is 2π − curvature
   CutGraph cut;
   ConeHolonomy holonomy;
+  Eigen::VectorXcd translations;      ///< parameters of the holonomy
   ConeMotions motions;                ///< across the cut, and from charts to corners
   Points2 places;                     ///< n×2, in the chart of the vertex
   YamabeFlowResult flow;              ///< of the metric (without its triangulation)
@@ -39,7 +40,7 @@ struct FlatConeSurface {
 [[nodiscard]] FlatConeSurface flatConeSurface(const HighGenusMesh& surface, SolverBackend backend,
                                               const Execution& execution = {});
 
-/// Other translations: motions of flat.holonomy, with the places of the cones that belong to them.
+/// The motions of some parameters of flat.holonomy, with the places of the cones that belong to them.
 void setMotions(FlatConeSurface& flat, ConeMotions motions);
 
 /// Places of the disk's vertices: the image of cut.faces. @param places  n×2, in the charts
