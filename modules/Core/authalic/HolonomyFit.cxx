@@ -60,7 +60,6 @@ class HolonomyFit {
     const Eigen::VectorXcd direction = gaussNewton(image);
     const Points2 base = image;
     const Eigen::VectorXcd from = parameters_;
-    if (getenv("V")) fprintf(stderr,"before %g\n",before-2);
     for (int halving = 0; halving < kHalvings; ++halving) {
       const double part = std::pow(0.5, halving);
       moveTo(from, base, part * direction, image);
@@ -109,7 +108,7 @@ class HolonomyFit {
     }
   }
 
-  [[nodiscard]] Eigen::VectorXcd gaussNewton(const Points2& image) const {
+  [[nodiscard]] Eigen::VectorXcd gaussNewton(const Coordinates& image) const {
     const Eigen::Index m = areas_.faces().rows(), count = 2 * parameters_.size();
     std::vector<Complex> sides(static_cast<std::size_t>(3 * m));
     for (int f = 0; f < static_cast<int>(m); ++f) {
@@ -126,10 +125,12 @@ class HolonomyFit {
     const double total = a.sum();
     const Eigen::ArrayXd ratio = (a.array() / (total * target_.array())).max(kSmallestRatio);
     const Eigen::VectorXd weights = (1 + ratio) / (2 * ratio.square() * target_.array() * total);
-    Eigen::MatrixXd normal = jacobian.transpose() * weights.asDiagonal() * jacobian;
+    const Eigen::VectorXd right = jacobian.transpose() * (weights.array() * (total * target_ - a).array()).matrix();
+    jacobian.array().colwise() *= weights.array().sqrt();
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
     normal.diagonal().array() += kDamping * normal.diagonal().maxCoeff();
-    const Eigen::VectorXd step =
-        normal.ldlt().solve(jacobian.transpose() * (weights.array() * (total * target_ - a).array()).matrix());
+    const Eigen::VectorXd step = normal.ldlt().solve(right);
     Eigen::VectorXcd direction(parameters_.size());
     for (Eigen::Index j = 0; j < direction.size(); ++j) direction[j] = {step[2 * j], step[2 * j + 1]};
     return direction;
@@ -150,7 +151,6 @@ void fitHolonomy(const SurfaceTopology& topology, const SeamedAreas& areas, cons
                  const Execution& execution) {
   HolonomyFit fit(topology, areas, target, flat);
   fit.respond(weights, backend);
-  if (getenv("V")) fprintf(stderr,"params %d\n",(int)flat.translations.size());
   for (int step = 0; step < kMostSteps && !execution.cancelled() && fit.step(image); ++step) {
     execution.report(double(step) / kMostSteps, "Fitting the flat surface");
   }

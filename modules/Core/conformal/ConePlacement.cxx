@@ -111,7 +111,6 @@ std::vector<Cone> placeCones(const HighGenusMesh& surface, SolverBackend backend
     const double before = placement.unevenness();
     placement.add(1);
     placement.add(-1);
-    
     if (placement.unevenness() <= kWorthAPair * before) continue;
     placement.cones.resize(placement.cones.size() - 2);
     break;
