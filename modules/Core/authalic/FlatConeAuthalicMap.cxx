@@ -50,6 +50,14 @@ Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const 
   return balancedStart(surface.topology(), map, start, target, kWithinSight, execution.part(0.5, 1));
 }
 
+// To an image of area 1.
+void normalise(const SurfaceTopology& topology, const SeamedAreas& areas, FlatConeSurface& flat) {
+  const double scale = 1 / std::sqrt(areas.areas(flat.places).sum());
+  flat.places *= scale;
+  flat.translations *= scale;
+  setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.translations));
+}
+
 void describe(const HighGenusMesh& surface, FlatConeAuthalicMapResult& result) {
   const Faces& faces = surface.mesh().faces();
   result.image = openImage(result.flat, faces, result.flat.places);
@@ -77,6 +85,7 @@ FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, cons
   result.flat.places = solved.image;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
+  normalise(surface.topology(), areas, result.flat);
   describe(surface, result);
   execution.report(1, "Authalic map");
   return result;

@@ -24,9 +24,10 @@ struct FlatConeAuthalicMapResult : AuthalicSolution {
 /// A closed surface of genus g ≥ 2 has no flat metric without cones, for the curvature is 2πχ in all: here it sits in
 /// 8(g − 1) cones of angle 5π/2, or more with as many of angle 3π/2 (flatConeSurface()). Cut open through them, the surface is a disk in the plane
 /// whose seams are paired by rigid motions. There is one pair of unknowns per vertex, in a chart of its own; corners
-/// beyond a seam see it through the motions, so that every star is whole and no seam breaks. The motions and the cones
-/// are those of the conformal metric and stay. The start is the conformal layout or the barycentric map by positive
-/// weights, reweighted until areas are within sight.
+/// beyond a seam see it through the motions, so that every star is whole and no seam breaks. The turns are those of a
+/// conformal flat metric and stay; translations and cones are fitted to the areas once, before the solve (fitHolonomy()
+/// in authalic/), and then stay as well. The start is the conformal layout, or the barycentric map by positive weights,
+/// reweighted until areas are within sight.
 ///
 /// Guarantees: the sides of every seam differ by one rigid motion, to rounding, whatever the status; around every
 /// vertex but the cones the unfolded star is that of a plane (no face folded, angles of sum 2π): the map is locally

@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere", "torus" or "annulus"."""
+    topology of surface that it takes: "disk", "sphere", "torus", "flat-cones" (genus 2 or more) or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -33,6 +33,7 @@ METHODS: dict[str, Method] = {
     "authalic": Method("vtkAuthalicMap"),
     "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
+    "authalic-flat-cones": Method("vtkFlatConeAuthalicMap", surface="flat-cones"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
@@ -52,7 +53,7 @@ class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
     image         (n, 2) in the plane, or (n, 3) on the sphere
-    points, faces the surface that was mapped, in its own order; cut open for a torus (point_arrays["OriginalPointIds"])
+    points, faces the surface that was mapped, in its own order; cut open for handles (point_arrays["OriginalPointIds"])
     status        "converged", "not-converged", "stalled" or "cancelled"
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
@@ -126,7 +127,8 @@ def flatten(points: Any,
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
                 Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
-                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1,
+                "authalic-flat-cones" for genus 2 or more;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
                 "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps;
@@ -135,7 +137,8 @@ def flatten(points: Any,
                 a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
                 with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2); "sphere" or "torus" makes "authalic-sphere" of "authalic" …
+                corners of a polygon, (k, 2); "sphere", "torus" or "flat-cones" makes
+                "authalic-sphere" of "authalic" …
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
@@ -163,7 +166,7 @@ def flatten(points: Any,
         raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
     if method not in METHODS:
         raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
-    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus
+    if isinstance(domain, str) and f"{method}-{domain}" in METHODS:  # sphere, torus, flat-cones
         method, domain = f"{method}-{domain}", None
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
