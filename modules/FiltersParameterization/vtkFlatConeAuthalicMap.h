@@ -2,11 +2,11 @@
  * @class vtkFlatConeAuthalicMap
  * @brief Area-preserving, or measure-controlled, map of a closed surface of genus 2 or more to a flat cone surface.
  *
- * As vtkToroidalAuthalicMap, for surfaces with more handles: these have no flat metric without cones. The curvature sits
- * in cones of angle 5π/2 (and some of 3π/2), found with the map; every other star is that of a plane and gets exactly
- * its share. The output is the surface cut open through the cones; the two sides of every seam differ by one rigid
- * motion. It is locally injective; as a whole it may lie in several layers. The vertices of the input come first, in
- * their order, then their copies.
+ * As vtkToroidalAuthalicMap, for surfaces with more handles: these have no flat metric without cones. The curvature
+ * sits in cones of angle 5π/2 (and some of 3π/2), found with the map; every other star is that of a plane and gets
+ * exactly its share. The output is the surface cut open through the cones; the two sides of every seam differ by
+ * one rigid motion. It is locally injective; as a whole it may lie in several layers. The vertices of the input
+ * come first, in their order, then their copies.
  *
  * | port | what |
  * |---|---|

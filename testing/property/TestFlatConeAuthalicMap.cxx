@@ -64,7 +64,8 @@ double unfoldedAngle(const SurfaceTopology& topology, const FlatConeAuthalicMapR
   double angle = 0;
   for (int c = corner;;) {
     const int last = SurfaceTopology::previous(c);
-    const std::complex<double> from = unfold(place(SurfaceTopology::next(c))) - centre, to = unfold(place(last)) - centre;
+    const std::complex<double> from = unfold(place(SurfaceTopology::next(c))) - centre,
+                               to = unfold(place(last)) - centre;
     EXPECT_LT(std::abs(unfold(place(c)) - centre), 1e-9);
     angle += std::arg(to / from);
     if (result.flat.cut.onCut[static_cast<std::size_t>(last)]) {
@@ -96,7 +97,8 @@ TEST(FlatConeSurface, HasTheCurvatureOfTheSurfaceInQuarterTurns) {
     const Eigen::VectorXd angles = angleSums(surface.mesh().faces(), flat.cut, image);
     for (int v = 0; v < angles.size(); ++v) {
       const auto cone = std::find(flat.cones.begin(), flat.cones.end(), v);
-      const double curvature = cone == flat.cones.end() ? 0 : flat.curvature[static_cast<std::size_t>(cone - flat.cones.begin())];
+      const double curvature =
+          cone == flat.cones.end() ? 0 : flat.curvature[static_cast<std::size_t>(cone - flat.cones.begin())];
       EXPECT_NEAR(angles[v], 2 * M_PI - curvature, 1e-9) << v;
     }
   }

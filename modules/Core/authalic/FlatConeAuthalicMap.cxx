@@ -17,8 +17,8 @@ namespace {
 constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
 constexpr double kLeastWeight = 1e-2, kMostWeight = 1e2;
 
-// ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as they
-// would with equal weights.
+// ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as
+// they would with equal weights.
 HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
   HalfEdgeWeights weights = cotangentWeights(surface.mesh());
   for (int h = 0; h < 3 * surface.mesh().faceCount(); ++h) {

@@ -10,7 +10,8 @@ namespace authalic {
 
 /// A path of the cut between two cones or branchings, whose two sides differ by one rigid motion.
 struct ConeSeam {
-  std::vector<int> side, otherSide;  ///< vertices of the disk in the same order along both; the disk lies left of `side`
+  std::vector<int> side,
+      otherSide;  ///< vertices of the disk in the same order along both; the disk lies left of `side`
   RigidMotion motion;                ///< takes `side` to `otherSide`
   double error = 0;                  ///< max |motion(x) − x'| over its vertices
 };

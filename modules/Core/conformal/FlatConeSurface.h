@@ -15,7 +15,8 @@ namespace authalic {
 /// The cut reaches every cone and opens the surface to a disk, whose image in the plane need not be embedded: it may
 /// lie in several layers. Corner 3 f + k of that image is at motions.corners[3 f + k](place of its vertex). Across an
 /// edge of the cut the plane is continued by motions.across[h], constant along each seam; around a vertex that is no
-/// cone these motions compose to the identity, around a cone to the turn by its curvature about its place, to rounding.
+/// cone these motions compose to the identity, around a cone to the turn by its curvature about its place, to
+/// rounding.
 struct FlatConeSurface {
   std::vector<int> cones;             ///< vertices
   std::vector<double> curvature;      ///< of each cone, ±π/2 radians: its angle is 2π − curvature
@@ -27,12 +28,12 @@ struct FlatConeSurface {
   YamabeFlowResult flow;              ///< of the metric (without its triangulation)
 };
 
-/// Finds a flat metric in the conformal class of the surface (yamabeFlow()) with cones of angle 5π/2 and 3π/2 and lays
-/// it out.
+/// Finds a flat metric in the conformal class of the surface (yamabeFlow()) with cones of angle 5π/2 and 3π/2 and
+/// lays it out.
 ///
-/// There are 4|χ| more of the former than of the latter. Cones stand where they even out the scale factors most. The metric decides the turns and the translations of
-/// the holonomy; the motions close to rounding, not only to the tolerance of the flow (ConeHolonomy).
-/// Faces of the surface may come out folded where it is far from Delaunay.
+/// There are 4|χ| more of the former than of the latter. Cones stand where they even out the scale factors most.
+/// The metric decides the turns and the translations of the holonomy; the motions close to rounding, not only to
+/// the tolerance of the flow (ConeHolonomy). Faces of the surface may come out folded where it is far from Delaunay.
 /// When the flow does not converge, the charts close all the same; see flow.status.
 /// Complexity: that of the flow.
 /// @throws SolverError from the flow

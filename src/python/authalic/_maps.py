@@ -137,8 +137,7 @@ def flatten(points: Any,
                 a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
                 with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2); "sphere", "torus" or "flat-cones" makes
-                "authalic-sphere" of "authalic" …
+                corners of a polygon, (k, 2); "sphere", "torus", "flat-cones" make "authalic-sphere" of "authalic" …
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
