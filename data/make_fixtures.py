@@ -63,6 +63,33 @@ def torus(rings, sides):
     return points, np.array(faces)
 
 
+def slab(holes, size):
+    """mm; the smoothed surface of a slab with square holes in a row, of genus `holes`; `size` voxels to a hole."""
+    solid = np.ones(((2 * holes + 1) * size, 3 * size, size), bool)
+    for k in range(holes):
+        solid[(2 * k + 1) * size:(2 * k + 2) * size, size:2 * size] = False
+    inside = np.pad(solid, 1)
+    number, faces = {}, []
+    for voxel in np.argwhere(solid):
+        for axis in range(3):
+            for side in (0, 1):
+                if inside[tuple(voxel + 1 + (2 * side - 1) * np.eye(3, dtype=int)[axis])]:
+                    continue
+                u, v = np.eye(3, dtype=int)[[(axis + 1) % 3, (axis + 2) % 3]]
+                corner = voxel + side * np.eye(3, dtype=int)[axis]
+                a, b, c, d = (number.setdefault(tuple(p), len(number))
+                              for p in (corner, corner + u, corner + u + v, corner + v))
+                faces += [(a, b, c), (a, c, d)] if side else [(a, c, b), (a, d, c)]
+    points, faces = np.array(list(number), float), np.array(faces)
+    for _ in range(6):
+        total, count = np.zeros_like(points), np.zeros(len(points))
+        for k in range(3):  # every edge once from each end
+            np.add.at(total, faces[:, k], points[faces[:, (k + 1) % 3]])
+            np.add.at(count, faces[:, k], 1)
+        points = 0.5 * (points + total / count[:, None])
+    return points, faces
+
+
 def bent_tube(along, around):
     """mm; a quarter of a torus with swellings and no symmetry, open at both ends."""
     u, v = np.meshgrid(np.arange(along + 1) / along, 2 * np.pi * np.arange(around) / around, indexing="ij")
@@ -157,6 +184,7 @@ def main():
         "upper_shell.off": (off_bytes(*shells()[0]), "mm", "topological disk, meets lower_shell.off at its rim"),
         "lower_shell.off": (off_bytes(*shells()[1]), "mm", "topological disk, meets upper_shell.off at its rim"),
         "torus.off": (off_bytes(*torus(24, 12)), "mm", "closed, genus 1"),
+        "double_torus.off": (off_bytes(*slab(2, 4)), "mm", "closed, genus 2"),
         "bent_tube.off": (off_bytes(*bent_tube(24, 24)), "mm", "annulus, 2 boundary loops of 24 vertices"),
         "phantom_t1.nii.gz": (nifti_bytes(t1, affine), "intensity", "two folded hemispheres, 2 mm: white 110, grey 80"),
         "phantom_labels.nii.gz": (nifti_bytes(labels, affine), "label", "grey matter of the phantom: 1 left, 2 right"),

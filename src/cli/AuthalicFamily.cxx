@@ -1,5 +1,6 @@
 #include <vtkAuthalicMap.h>
 #include <vtkCircleDomainAuthalicMap.h>
+#include <vtkFlatConeAuthalicMap.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalAuthalicMap.h>
@@ -20,7 +21,8 @@ class AuthalicFamily : public MapFamily {
     return "authalic: area-preserving, or to a measure of yours (--measure), exactly at every vertex and "
            "without a fold; a disk to --domain disk, square, rectangle:ASPECT or polygon:FILE, a closed "
            "surface of genus 0 to --domain sphere, a torus to --domain torus (flat, cut open, with "
-           "OriginalPointIds), a surface with holes to --domain circle-domain (unit disk without round "
+           "OriginalPointIds), a closed surface of genus 2 or more to --domain flat-cones (flat but for cones, cut "
+           "open), a surface with holes to --domain circle-domain (unit disk without round "
            "holes) or annulus (one hole, in the middle).";
   }
 
@@ -64,6 +66,9 @@ class AuthalicFamily : public MapFamily {
       return configured(map, shared, session);
     }
     if (shared.domain == "torus") return configured(vtkSmartPointer<vtkToroidalAuthalicMap>::New(), shared, session);
+    if (shared.domain == "flat-cones") {
+      return configured(vtkSmartPointer<vtkFlatConeAuthalicMap>::New(), shared, session);
+    }
     const auto map = vtkSmartPointer<vtkAuthalicMap>::New();
     setDiskDomain(map, shared.domain);
     if (weight) map->SetBalance(*weight);

@@ -161,7 +161,7 @@ void declareShared(CLI::App* verb, MapOptions& o) {
           "--domain", o.shared.domain,
           "Where to, as the methods above say: disk (unit), square (unit), rectangle:ASPECT (width / "
           "height, height 1), polygon:FILE (x y of a corner per line), sphere (unit), torus (flat, area 1), "
-          "annulus, circle-domain, free.")
+          "flat-cones (area 1), annulus, circle-domain, free.")
       ->type_name("DOMAIN");
   o.density.declare(verb);
   o.sharedOptions = {

@@ -349,6 +349,30 @@ class Results(CommandLine):
         self.assertIn("--initial", self.fails(2, "map", "authalic", torus, "-o", "s.vtp", "--domain", "torus",
                                               "--initial", "t.vtp"))
 
+    def test_surfaces_with_more_handles_become_flat_with_cones(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        double = fixtures / "double_torus.off"
+        self.succeeds("map", "authalic", double, "-o", "d.vtp", "--domain", "flat-cones", "--report", "d.json", "-q",
+                      "--tolerance", 0.05)
+        report = json.loads((self.here / "d.json").read_text())
+        self.assertEqual(report["status"], "converged")
+        self.assertEqual(report["options"]["domain"], "flat-cones")
+        self.assertEqual(report["metrics"]["flipped_faces"], 0)
+        self.assertLess(report["metrics"]["vertex_log_area_ratio_max_abs"], 1e-9)
+        self.assertLess(report["seam_error"], 1e-9)
+        self.assertLess(report["angle_error"], 1e-9)
+        self.assertAlmostEqual(sum(2 * math.pi - cone["angle"] for cone in report["cones"]), -4 * math.pi)
+        self.assertLess(max(seam["error"] for seam in report["seams"]), 1e-9)
+        for name in (b"OriginalPointIds", b"ConeAngle", b"SeamPairs", b"SeamMotions"):
+            self.assertIn(name, (self.here / "d.vtp").read_bytes())
+        for fewer, genus, other in (("torus", 1, "torus"), ("folded_sphere", 0, "sphere")):
+            words = self.fails(3, "map", "authalic", fixtures / f"{fewer}.off", "-o", "s.vtp", "--domain", "flat-cones")
+            self.assertIn(f"genus {genus}", words)
+            self.assertIn(f"for a {other}", words)
+        self.assertIn("genus 2", self.fails(3, "map", "authalic", double, "-o", "s.vtp", "--domain", "torus"))
+        self.assertIn("--initial", self.fails(2, "map", "authalic", double, "-o", "s.vtp", "--domain", "flat-cones",
+                                              "--initial", "d.vtp"))
+
     def test_the_authalic_map_is_exact_at_every_vertex_of_every_domain(self):
         sphere = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
         triangle = self.here / "triangle.txt"

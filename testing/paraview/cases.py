@@ -17,6 +17,7 @@ TUBE = [("Input", "tube", 0)]
 CASES = [
     ("disk", "SurfaceFileReader", [], {"FileName": "FIXTURES/bumpy_disk.off"}),
     ("torus", "SurfaceFileReader", [], {"FileName": "FIXTURES/torus.off"}),
+    ("doubletorus", "SurfaceFileReader", [], {"FileName": "FIXTURES/double_torus.off"}),
     ("tube", "SurfaceFileReader", [], {"FileName": "FIXTURES/bent_tube.off"}),
     ("tutte", "BarycentricMap", DISK, {"Method": 0}),
     ("textured", "BarycentricMap", DISK, {"OutputMode": 1}),
@@ -67,6 +68,7 @@ CASES = [
     ("middling", "SphericalAuthalicMap", [("Input", "ball", 0)], {"Balance": 0.5, "Tolerance": 0.05}),
     ("exactsquare", "AuthalicMap", DISK + [("InitialMap", "square", 0)], {"Domain": 1}),
     ("periodic", "ToroidalAuthalicMap", [("Input", "torus", 0)], {"Tolerance": 0.05}),
+    ("cones", "FlatConeAuthalicMap", [("Input", "doubletorus", 0)], {"Tolerance": 0.05}),
     ("report", "SurfaceTopologyReport", [("Input", "torus", 0)], {}),
     ("t1", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_t1.nii.gz"}),
     ("labels", "VolumeFileReader", [], {"FileName": "FIXTURES/phantom_labels.nii.gz", "Frame": 0}),

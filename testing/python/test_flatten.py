@@ -30,8 +30,8 @@ def surface_for(method):
     if topology == "sphere":
         surface = authalic.read_surface(DATA / "folded_sphere.off")
         return surface.points, surface.faces
-    if topology == "torus":
-        surface = authalic.read_surface(DATA / "torus.off")
+    if topology in ("torus", "flat-cones"):
+        surface = authalic.read_surface(DATA / ("torus.off" if topology == "torus" else "double_torus.off"))
         return surface.points, surface.faces
     points, faces = bumpy_disk()
     if topology == "disk":

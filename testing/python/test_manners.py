@@ -43,6 +43,10 @@ def ring():
     return with_arrays(authalic.read_surface(DATA / "torus.off")).to_vtk()
 
 
+def two_rings():
+    return with_arrays(authalic.read_surface(DATA / "double_torus.off")).to_vtk()
+
+
 def with_arrays(surface, more=None):
     n, m = len(surface.points), len(surface.faces)
     return dataclasses.replace(surface, point_arrays={"Kept": np.arange(n) * 0.5, **(more or {})},
@@ -108,6 +112,7 @@ CASES = {
     "vtkAuthalicMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalAuthalicMap": Case((ball,), wrong=(0, disk)),
     "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),
+    "vtkFlatConeAuthalicMap": Case((two_rings,), wrong=(0, ring), keeps_vertices=False),
     "vtkRiemannMap": Case((disk,), wrong=(0, ball)),
     "vtkYamabeMap": Case((disk,), wrong=(0, ball)),
     "vtkLeastSquaresConformalMap": Case((disk,), wrong=(0, ball)),

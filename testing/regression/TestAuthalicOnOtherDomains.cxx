@@ -3,6 +3,7 @@
 #include <string>
 
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FlatConeAuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/distortion/Distortion.h"
 #include "Core/distortion/SphericalDistortion.h"
@@ -69,3 +70,34 @@ INSTANTIATE_TEST_SUITE_P(Sphere, AuthalicMapOnCortexSlow,
                          ::testing::Values("meshes/closed_g0/david.off", "meshes/closed_g0/gargoyle.obj",
                                            "meshes/closed_g0/sphere_brain.off"),
                          [](const auto& parameter) { return std::to_string(parameter.index); });
+
+namespace {
+
+class AuthalicMapOfHandles : public ::testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(AuthalicMapOfHandles, IsExactAtVerticesAndClosesItsSeams) {
+  const std::string path = sharedData(GetParam());
+  AUTHALIC_NEEDS(path);
+  const SurfaceFile file = readSurface(path);
+  const auto n = static_cast<Eigen::Index>(file.vertexCount()), m = static_cast<Eigen::Index>(file.faceCount());
+  const HighGenusMesh surface(TriangleMesh(Eigen::Map<const Points3>(file.points.data(), n, 3),
+                                           Eigen::Map<const Faces>(file.faces.data(), m, 3)));
+  const FlatConeAuthalicMapResult result = flatConeAuthalicMap(surface, TargetMeasure(surface.mesh()));
+  const CutGraph& cut = result.flat.cut;
+  const TriangleMesh opened(surface.mesh().points()(cut.originalPointIds, Eigen::all), cut.faces);
+  const DistortionSummary summary = measureDistortion(opened, cut.originalPointIds, result.image).summary;
+  EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << " " << result.vertexResidual;
+  EXPECT_EQ(summary.flippedFaces, 0);
+  EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
+  EXPECT_LT(summary.faceMeanAbsLog, 1e-2);
+  EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
+  EXPECT_LT(result.seamError, 1e-9);
+  EXPECT_LT(result.angleError, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, AuthalicMapOfHandles,
+                         ::testing::Values("meshes/genus/double-torus.obj", "meshes/genus/3holes.off",
+                                           "meshes/genus/fertility.off"),
+                         [](const auto& parameter) { return "Genus" + std::to_string(2 + parameter.index); });

@@ -85,6 +85,21 @@ TEST(CutGraph, OfATorusOfRevolutionIsOneTubeAndOneRing) {
   EXPECT_LE(edges / 2, 12 + 40);
 }
 
+TEST(CutGraph, ReachesTheVerticesThatItShallEndAt) {
+  const TriangleMesh mesh = doubleTorusMesh(12);
+  const SurfaceTopology topology(mesh.faces(), mesh.vertexCount());
+  const std::vector<int> ends{5, 77, 300};
+  const CutGraph cut = cutToFundamentalDomain(mesh, topology, ends.front(), ends);
+  expectDisk(cut, 2);
+  for (const int v : ends) {
+    bool reached = false;
+    for (int h = 0; h < halfEdges(cut); ++h) {
+      reached = reached || (cut.onCut[static_cast<std::size_t>(h)] && topology.tail(h) == v);
+    }
+    EXPECT_TRUE(reached) << v;
+  }
+}
+
 TEST(CutGraph, RefusesABoundary) {
   const TriangleMesh disk = diskMesh(3);
   EXPECT_THROW((void)cutToFundamentalDomain(disk, SurfaceTopology(disk.faces(), disk.vertexCount())), TopologyError);

@@ -9,6 +9,7 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFlatConeAuthalicMap.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -20,10 +21,12 @@
 
 #include "Conversion.h"
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FlatConeAuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/authalic/SphericalLieFlow.h"
 #include "Core/authalic/ToroidalAuthalicMap.h"
 #include "Core/conformal/RiemannMap.h"
+#include "support/HighGenusMeshes.h"
 #include "support/TestMeshes.h"
 #include "support/TorusMeshes.h"
 
@@ -31,6 +34,7 @@ namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
+using authalic::testing::slabMesh;
 using authalic::testing::sphereMesh;
 using authalic::testing::torusMesh;
 
@@ -172,5 +176,48 @@ TEST(ToroidalAuthalicFilter, BecomesTextureCoordinatesOfTheOpenedSurface) {
 
 TEST(ToroidalAuthalicFilter, RefusesASphere) {
   const auto filter = mapped<vtkToroidalAuthalicMap>(sphereMesh(2));
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(FlatConeFilter, OpensTheSurfaceAndSaysHowItsSeamsFit) {
+  const TriangleMesh surface = slabMesh(2, 4);
+  vtkNew<vtkFlatConeAuthalicMap> filter;
+  filter->SetInputData(polyData(surface));
+  filter->SetTolerance(0.05);
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput();
+  AuthalicMapOptions options;
+  options.tolerance = 0.05;
+  const FlatConeAuthalicMapResult core = flatConeAuthalicMap(HighGenusMesh(surface), TargetMeasure(surface), options);
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(map), core.image);
+  EXPECT_EQ(map->GetNumberOfPolys(), surface.faceCount());
+  EXPECT_LT(field(map, "VertexMaxAbsLog"), 1e-9);
+  vtkDataArray* ids = map->GetPointData()->GetArray("OriginalPointIds");
+  vtkDataArray* pairs = map->GetFieldData()->GetArray("SeamPairs");
+  vtkDataArray* motions = map->GetFieldData()->GetArray("SeamMotions");
+  ASSERT_EQ(motions->GetNumberOfTuples(), static_cast<vtkIdType>(core.seams.size()));
+  ASSERT_GT(pairs->GetNumberOfTuples(), 0);
+  for (vtkIdType i = 0; i < pairs->GetNumberOfTuples(); ++i) {
+    const auto seam = static_cast<vtkIdType>(pairs->GetComponent(i, 0)),
+               one = static_cast<vtkIdType>(pairs->GetComponent(i, 1)),
+               other = static_cast<vtkIdType>(pairs->GetComponent(i, 2));
+    EXPECT_EQ(ids->GetComponent(one, 0), ids->GetComponent(other, 0));
+    const double angle = motions->GetComponent(seam, 0), c = std::cos(angle), s = std::sin(angle);
+    double x[3], y[3];
+    map->GetPoint(one, x);
+    map->GetPoint(other, y);
+    EXPECT_NEAR(c * x[0] - s * x[1] + motions->GetComponent(seam, 1), y[0], 1e-9);
+    EXPECT_NEAR(s * x[0] + c * x[1] + motions->GetComponent(seam, 2), y[1], 1e-9);
+  }
+  double curvature = 0;
+  for (int v = 0; v < surface.vertexCount(); ++v) {
+    curvature += 2 * M_PI - map->GetPointData()->GetArray("ConeAngle")->GetComponent(v, 0);
+  }
+  EXPECT_NEAR(curvature, -4 * M_PI, 1e-9);
+}
+
+TEST(FlatConeFilter, RefusesATorus) {
+  const auto filter = mapped<vtkFlatConeAuthalicMap>(torusMesh(9, 9));
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }

@@ -23,7 +23,6 @@ class AreaFunctional {
   using Frames = Coordinates;
   /// Derivatives of the areas by steps: entry (t, 2 k + j) belongs to direction j of corner k.
   using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
-
   /// Where the corners of one face lie, as the face sees them: 3×d.
   using Corners = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
   /// Directions of the corners of one face, as the face sees them: row 2 k + j is direction j of corner k.

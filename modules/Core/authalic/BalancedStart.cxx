@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "Core/authalic/LieFlowStages.h"
@@ -47,40 +48,15 @@ double areaDistortion(const Eigen::VectorXd& areas, const Eigen::VectorXd& targe
   return sum;
 }
 
-// What of an image may move, and how its corners hang together.
-struct Setting {
-  const SurfaceTopology& topology;
-  std::vector<char> held;
-  Points2 shifts;  // 3m×2 or empty
-};
-
-Eigen::VectorXd areasOf(const Setting& setting, const Points2& image) {
-  const Faces& faces = setting.topology.faces();
-  return setting.shifts.size() == 0 ? signedFaceAreas(image, faces) : periodicFaceAreas(image, setting.shifts, faces);
-}
-
-Points2 balance(const Setting& setting, const Points2& image, const TargetMeasure& target, SolverBackend backend,
-                double goodEnough, const Execution& execution) {
-  const Faces& faces = setting.topology.faces();
-  BarycentricSolver solver(faces, setting.held, backend);
-  HalfEdgeWeights weights = HalfEdgeWeights::Constant(faces.rows(), 3, 1.0);
-  Points2 best = image, current = image;
-  double least = areaDistortion(areasOf(setting, image), target.faces()), error = 1;
-  for (int round = 0; round < kRounds && error > goodEnough; ++round) {
-    if (round > 0 && execution.cancelled()) break;
-    execution.report(double(round) / kRounds, "Balancing the start");
-    solver.solve(weights, current, setting.shifts);
-    const Eigen::VectorXd areas = areasOf(setting, current);
-    const Eigen::VectorXd stars = vertexStars(areas, faces, static_cast<int>(image.rows()));
-    const double distortion = areaDistortion(areas, target.faces());
-    error = measureStars(stars, target.vertices()).meanAbsLog;
-    if (distortion < least) {
-      least = distortion;
-      best = current;
-    }
-    reweight(setting.topology, logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
-  }
-  return best;
+// Barycentric maps in the plane or, with shifts (3m×2), on the flat torus.
+BarycentricImage planar(const Faces& faces, const std::vector<char>& held, const Points2& shifts,
+                        SolverBackend backend) {
+  const auto solver = std::make_shared<BarycentricSolver>(faces, held, backend);
+  return {HalfEdgeWeights::Constant(faces.rows(), 3, 1.0),
+          [solver, shifts](const HalfEdgeWeights& weights, Points2& image) { solver->solve(weights, image, shifts); },
+          [&faces, shifts](const Points2& image) {
+            return shifts.size() == 0 ? signedFaceAreas(image, faces) : periodicFaceAreas(image, shifts, faces);
+          }};
 }
 
 // Marks what a patch may not move: everything more than `rings` edges from a collapsed face, and the boundary.
@@ -102,9 +78,34 @@ std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& coll
 
 }  // namespace
 
+Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
+                      const TargetMeasure& target, double goodEnough, const Execution& execution) {
+  const Faces& faces = topology.faces();
+  HalfEdgeWeights weights = map.weights;
+  Points2 best = image, current = image;
+  double least = areaDistortion(map.areas(image), target.faces()), error = 1;
+  for (int round = 0; round < kRounds && error > goodEnough; ++round) {
+    if (round > 0 && execution.cancelled()) break;
+    execution.report(double(round) / kRounds, "Balancing the start");
+    map.solve(weights, current);
+    const Eigen::VectorXd areas = map.areas(current);
+    const Eigen::VectorXd stars = vertexStars(areas, faces, static_cast<int>(image.rows()));
+    const double distortion = areaDistortion(areas, target.faces());
+    error = measureStars(stars, target.vertices()).meanAbsLog;
+    if (distortion < least) {
+      least = distortion;
+      best = current;
+    }
+    reweight(topology, logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
+  }
+  return best;
+}
+
 Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
                       double goodEnough, const Execution& execution) {
-  return balance({disk.topology(), disk.topology().onBoundary(), {}}, image, target, backend, goodEnough, execution);
+  const SurfaceTopology& topology = disk.topology();
+  return balancedStart(topology, planar(topology.faces(), topology.onBoundary(), {}, backend), image, target,
+                       goodEnough, execution);
 }
 
 Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image, const Points2& shifts,
@@ -112,7 +113,7 @@ Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& im
                               const Execution& execution) {
   std::vector<char> held(static_cast<std::size_t>(topology.vertexCount()), 0);
   held[0] = 1;
-  return balance({topology, held, shifts}, image, target, backend, goodEnough, execution);
+  return balancedStart(topology, planar(topology.faces(), held, shifts, backend), image, target, goodEnough, execution);
 }
 
 Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
@@ -126,7 +127,8 @@ Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const T
       for (int k = 0; k < 3; ++k) collapsed[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
     }
     if (std::find(collapsed.begin(), collapsed.end(), 1) == collapsed.end()) return result;
-    result = balance({disk.topology(), heldAround(disk, collapsed, rings), {}}, result, target, backend, 0, {});
+    const std::vector<char> held = heldAround(disk, collapsed, rings);
+    result = balancedStart(disk.topology(), planar(disk.mesh().faces(), held, {}, backend), result, target, 0, {});
   }
   return result;
 }

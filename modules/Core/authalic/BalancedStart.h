@@ -2,8 +2,11 @@
 /// A start for the flow on surfaces that a barycentric map shrinks beyond what a flow can undo. Private to authalic/.
 #pragma once
 
+#include <functional>
+
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/base/Execution.h"
+#include "Core/geometry/Laplacian.h"
 #include "Core/mesh/DiskMesh.h"
 #include "Core/numerics/SparseSolver.h"
 
@@ -36,6 +39,17 @@ namespace authalic {
 [[nodiscard]] Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image,
                                             const Points2& shifts, const TargetMeasure& target, SolverBackend backend,
                                             double goodEnough, const Execution& execution = {});
+
+/// A barycentric map on any domain, and the areas of its faces.
+struct BarycentricImage {
+  HalfEdgeWeights weights;  ///< of the first round
+  std::function<void(const HalfEdgeWeights& weights, Points2& image)> solve;
+  std::function<Eigen::VectorXd(const Points2& image)> areas;
+};
+
+/// The same with such maps; weights are positive and the same both ways.
+[[nodiscard]] Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
+                                    const TargetMeasure& target, double goodEnough, const Execution& execution);
 
 /// The same within small patches around the faces that have collapsed (less than 1e-2 of their share), the rest held.
 [[nodiscard]] Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,

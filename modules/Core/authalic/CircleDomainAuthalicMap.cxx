@@ -26,7 +26,8 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   if (start.image.rows() == 0) return result;
   const double startSeconds = watch.lap();
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
-  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start.image, options.solve, execution.part(0.3, 1));
+  AreaSolveResult solved =
+      solveAreas(areas, surface.mesh(), target, start.image, options.solve, execution.part(0.3, 1));
   result.image = solved.image;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;

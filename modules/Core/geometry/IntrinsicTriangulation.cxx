@@ -196,6 +196,7 @@ void IntrinsicTriangulation::flip(int h, const Eigen::VectorXd& u, FlipRule rule
   const int g = opposite(h);
   const int jk = next(h), ki = next(jk), il = next(g), lj = next(il);
   const double length = flippedLogLength(h, u, rule);
+  if (recording_) flips_.push_back(h);
   const auto at = [](auto& array, int i) -> auto& {
     return array[static_cast<std::size_t>(i)];
   };

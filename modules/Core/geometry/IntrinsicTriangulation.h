@@ -111,6 +111,14 @@ class IntrinsicTriangulation {
   /// @return the new vertex
   int splitBoundaryEdge(int h, const Eigen::VectorXd& u);
 
+  /// From now on remember every flip, so that they can be undone on something else; boundary edges must not be split.
+  void recordFlips() {
+    recording_ = true;
+    flips_.clear();
+  }
+  /// Half-edges that were flipped, in order.
+  [[nodiscard]] const std::vector<int>& recordedFlips() const noexcept { return flips_; }
+
   /// From now on count how often each edge crosses the edges of the triangulation as it is now: normal coordinates
   /// @cite gillespie2021. Integers, carried through flips of either kind without rounding.
   void trackCrossings();
@@ -137,7 +145,8 @@ class IntrinsicTriangulation {
   int vertexCount_ = 0;
   std::vector<int> tail_, next_, opposite_, face_, first_;
   std::vector<double> logLength_;
-  std::vector<int> winding_, crossings_;
+  std::vector<int> winding_, crossings_, flips_;
+  bool recording_ = false;
   std::vector<char> onBoundary_;
 };
 

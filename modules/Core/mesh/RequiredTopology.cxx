@@ -65,9 +65,10 @@ std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, 
            "; close it, or take a method for more loops ('authalic info' lists the loops)";
   }
   if (report.genus < required.genus) {
-    return "too few handles (genus " + std::to_string(report.genus) + "); take a method for this genus";
+    return "too few handles (genus " + std::to_string(report.genus) + "); take a method for this genus" +
+           (required.mostGenus == kAnyGenus ? ", for a " + std::string(report.genus == 0 ? "sphere" : "torus") : "");
   }
-  if (report.genus != required.genus)
+  if (report.genus > required.mostGenus)
     return "handles (genus " + std::to_string(report.genus) + "), one of them along " + loopOf(mesh, topology) +
            "; cut or repair them first";
   return {};
@@ -77,9 +78,10 @@ std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, 
 
 void requireTopology(const TriangleMesh& mesh, const SurfaceTopology& topology, const RequiredTopology& required) {
   const std::size_t loops = topology.boundaryLoops().size();
+  const int handles = (2 - static_cast<int>(loops) - topology.eulerCharacteristic()) / 2;
   const bool fits = topology.manifold() && topology.componentCount() == 1 && topology.isolatedVertices().empty() &&
                     loops >= required.fewestLoops && loops <= required.mostLoops &&
-                    topology.eulerCharacteristic() == 2 - 2 * required.genus - static_cast<int>(loops);
+                    handles >= required.genus && handles <= required.mostGenus;
   if (fits) return;
   const MeshReport report = inspect(mesh, topology);
   throw TopologyError(std::string(required.words) + ", but the surface has " + report.summary() + ": found " +

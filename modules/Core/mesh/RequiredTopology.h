@@ -1,5 +1,6 @@
 /// @file
-/// The check behind the mesh types DiskMesh, SphereMesh, AnnulusMesh, PolyAnnulusMesh and TorusMesh. Private to mesh/.
+/// The check behind the mesh types DiskMesh, SphereMesh, AnnulusMesh, PolyAnnulusMesh, TorusMesh and HighGenusMesh.
+/// Private to mesh/.
 #pragma once
 
 #include <limits>
@@ -15,7 +16,10 @@ struct RequiredTopology {
   const char* words;  ///< "A topological disk is required (1 component, genus 0, 1 boundary loop)"
   std::size_t fewestLoops, mostLoops;
   int genus = 0;
+  int mostGenus = genus;
 };
+
+inline constexpr int kAnyGenus = std::numeric_limits<int>::max();
 
 inline constexpr std::size_t kAnyNumberOfLoops = std::numeric_limits<std::size_t>::max();
 

@@ -95,11 +95,12 @@ std::vector<int> crossingForm(const SurfaceTopology& topology, const std::vector
   return form;
 }
 
-// Takes away edges of the cut that end freely, one after the other.
-void prune(const SurfaceTopology& topology, std::vector<char>& onCut) {
+// Takes away edges of the cut that end freely, one after the other, but not where they have to end.
+void prune(const SurfaceTopology& topology, const std::vector<int>& ends, std::vector<char>& onCut) {
   std::vector<int> valence(at(topology.vertexCount()), 0), free;
   const std::vector<std::vector<int>> leaving = leavingHalfEdges(topology);
   for (int h = 0; h < static_cast<int>(onCut.size()); ++h) valence[at(topology.tail(h))] += onCut[at(h)];
+  for (const int v : ends) ++valence[at(v)];
   for (int v = 0; v < topology.vertexCount(); ++v) {
     if (valence[at(v)] == 1) free.push_back(v);
   }
@@ -174,7 +175,8 @@ void integrate(const SurfaceTopology& topology, const std::vector<std::vector<in
 
 }  // namespace
 
-CutGraph cutToFundamentalDomain(const TriangleMesh& mesh, const SurfaceTopology& topology, int root) {
+CutGraph cutToFundamentalDomain(const TriangleMesh& mesh, const SurfaceTopology& topology, int root,
+                                const std::vector<int>& ends) {
   if (!topology.boundaryLoops().empty() || topology.componentCount() != 1) {
     throw TopologyError("A connected surface without boundary is required, but it has " +
                         std::to_string(topology.componentCount()) + " components and " +
@@ -195,7 +197,7 @@ CutGraph cutToFundamentalDomain(const TriangleMesh& mesh, const SurfaceTopology&
     if (generates && h < topology.opposite(h)) forms.push_back(crossingForm(topology, entry, h));
   }
   cut.genus = static_cast<int>(forms.size() / 2);
-  prune(topology, cut.onCut);
+  prune(topology, ends, cut.onCut);
   splitCorners(topology, cut);
   integrate(topology, forms, cut);
   return cut;

@@ -25,7 +25,9 @@ struct CutGraph {
 /// that prefers edges of long loops spans the faces; the 2g edges in neither close the shortest loops that generate the
 /// homology. Dangling branches are pruned. O(m log m).
 /// @param root  vertex in whose neighbourhood the cut may start
+/// @param ends  vertices that the cut has to reach; branches to them stay
 /// @throws TopologyError when the surface has a boundary or is not connected
-[[nodiscard]] CutGraph cutToFundamentalDomain(const TriangleMesh& mesh, const SurfaceTopology& topology, int root = 0);
+[[nodiscard]] CutGraph cutToFundamentalDomain(const TriangleMesh& mesh, const SurfaceTopology& topology, int root = 0,
+                                              const std::vector<int>& ends = {});
 
 }  // namespace authalic

@@ -13,7 +13,7 @@ from ._surfaces import Progress, Surface, to_polydata
 @dataclasses.dataclass(frozen=True)
 class Method:
     """A method of flatten(): the name of its filter, the settings that make the filter that method, and the
-    topology of surface that it takes: "disk", "sphere", "torus" or "annulus"."""
+    topology of surface that it takes: "disk", "sphere", "torus", "flat-cones" (genus 2 or more) or "annulus"."""
     filter: str
     settings: dict[str, Any] = dataclasses.field(default_factory=dict)
     surface: str = "disk"
@@ -33,6 +33,7 @@ METHODS: dict[str, Method] = {
     "authalic": Method("vtkAuthalicMap"),
     "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
+    "authalic-flat-cones": Method("vtkFlatConeAuthalicMap", surface="flat-cones"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-flow-sphere": Method("vtkSphericalLieFlow", surface="sphere"),
@@ -57,7 +58,7 @@ class SurfaceMap(Surface):
     """A map: where each vertex of a surface goes, and how well.
 
     image         (n, 2) in the plane, or (n, 3) on the sphere
-    points, faces the surface that was mapped, in its own order; cut open for a torus (point_arrays["OriginalPointIds"])
+    points, faces the surface that was mapped, in its own order; cut open for handles (point_arrays["OriginalPointIds"])
     status        "converged", "not-converged", "stalled" or "cancelled"
     iterations    int
     residuals     (k,) what the method drives to 0, per iteration
@@ -133,7 +134,8 @@ def flatten(points: Any,
     points      (n, 3) mm, with faces (m, 3) vertex indices from 0; or one Surface or vtkPolyData alone.
                 Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
-                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
+                every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1,
+                "authalic-flat-cones" for genus 2 or more;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
@@ -143,7 +145,7 @@ def flatten(points: Any,
                 a closed surface of genus 0 to the unit sphere, "welding": the same by that road; methods() has all
                 with their options
     domain      None or "disk": the unit disk; "square"; ("rectangle", aspect): [0, aspect] x [0, 1]; or the
-                corners of a polygon, (k, 2); "sphere" or "torus" makes "authalic-sphere" of "authalic" …
+                corners of a polygon, (k, 2); "sphere", "torus", "flat-cones" make "authalic-sphere" of "authalic" …
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
@@ -193,7 +195,7 @@ def flatten(points: Any,
 
 
 def _method_and_domain(method, domain):
-    """The method, and the domain that its filter is to be told; "sphere" and "torus" are methods of their own."""
+    """The method, and the domain that its filter is to be told; "sphere", "torus" and "flat-cones" are methods of their own."""
     if method not in METHODS:
         raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
     if isinstance(domain, str) and f"{method}-{domain}" in METHODS:

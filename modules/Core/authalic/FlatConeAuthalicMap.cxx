@@ -1,0 +1,94 @@
+#include "Core/authalic/FlatConeAuthalicMap.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "Core/authalic/AreaSolve.h"
+#include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/HolonomyFit.h"
+#include "Core/authalic/SeamedBarycentricSystem.h"
+#include "Core/geometry/Areas.h"
+
+namespace authalic {
+namespace {
+
+constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
+constexpr double kLeastWeight = 1e-2, kMostWeight = 1e2;
+
+// ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as
+// they would with equal weights.
+HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
+  HalfEdgeWeights weights = cotangentWeights(surface.mesh());
+  for (int h = 0; h < 3 * surface.mesh().faceCount(); ++h) {
+    const int g = surface.topology().opposite(h);
+    if (g < h) continue;
+    double &one = weights.data()[h], &other = weights.data()[g];
+    one = other = std::clamp(0.5 * (one + other), kLeastWeight, kMostWeight);
+  }
+  return weights;
+}
+
+Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
+                  SolverBackend backend, FlatConeSurface& flat, const Execution& execution) {
+  SeamedBarycentricSystem system(areas, backend);
+  const HalfEdgeWeights weights = positiveWeights(surface);
+  Points2 start = flat.places;
+  if (!(areas.areas(start).minCoeff() > 0)) {
+    system.factorize(weights);
+    system.solve(weights, flat.motions.corners, start);
+  }
+  fitHolonomy(surface.topology(), areas, target, weights, backend, flat, start, execution.part(0, 0.5));
+  const BarycentricImage map{
+      weights,
+      [&](const HalfEdgeWeights& now, Points2& image) {
+        system.factorize(now);
+        system.solve(now, flat.motions.corners, image);
+      },
+      [&areas](const Points2& image) { return areas.areas(image); }};
+  return balancedStart(surface.topology(), map, start, target, kWithinSight, execution.part(0.5, 1));
+}
+
+// To an image of area 1.
+void normalise(const SurfaceTopology& topology, const SeamedAreas& areas, FlatConeSurface& flat) {
+  const double scale = 1 / std::sqrt(areas.areas(flat.places).sum());
+  flat.places *= scale;
+  flat.translations *= scale;
+  setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.translations));
+}
+
+void describe(const HighGenusMesh& surface, FlatConeAuthalicMapResult& result) {
+  const Faces& faces = surface.mesh().faces();
+  result.image = openImage(result.flat, faces, result.flat.places);
+  result.seams = coneSeams(surface.topology(), result.flat, result.image);
+  for (const ConeSeam& seam : result.seams) result.seamError = std::max(result.seamError, seam.error);
+  Eigen::VectorXd wrong = angleSums(faces, result.flat.cut, result.image).array() - 2 * M_PI;
+  for (std::size_t i = 0; i < result.flat.cones.size(); ++i) wrong[result.flat.cones[i]] += result.flat.curvature[i];
+  result.angleError = wrong.cwiseAbs().maxCoeff();
+  result.flippedFaces = countFlippedFaces(result.image, result.flat.cut.faces);
+}
+
+}  // namespace
+
+FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, const TargetMeasure& target,
+                                              const AuthalicMapOptions& options, const Execution& execution) {
+  options.validate();
+  requireTargetOf(surface.mesh(), target);
+  const auto begun = std::chrono::steady_clock::now();
+  FlatConeAuthalicMapResult result;
+  result.flat = flatConeSurface(surface, options.solver, execution.part(0, 0.2));
+  const SeamedAreas areas(surface.mesh().faces(), result.flat);
+  const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, execution.part(0.2, 0.4));
+  const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0.4, 1));
+  result.flat.places = solved.image;
+  static_cast<AuthalicSolution&>(result) = std::move(solved);
+  result.startSeconds = startSeconds;
+  normalise(surface.topology(), areas, result.flat);
+  describe(surface, result);
+  execution.report(1, "Authalic map");
+  return result;
+}
+
+}  // namespace authalic

@@ -1,0 +1,39 @@
+/// @file
+/// Areas of an image on a flat cone surface. Private to authalic/.
+#pragma once
+
+#include "Core/authalic/AreaFunctional.h"
+#include "Core/conformal/FlatConeSurface.h"
+
+namespace authalic {
+
+/// Every vertex moves anywhere in its chart but the cones, which stay where the surface has them. A corner lies where
+/// its rigid motion takes the place of its vertex, so that the sides of a seam share their unknowns and every star is
+/// whole.
+class SeamedAreas final : public AreaFunctional {
+ public:
+  /// @param flat  kept by reference
+  SeamedAreas(const Faces& faces, const FlatConeSurface& flat);
+
+  [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
+  [[nodiscard]] Frames frames(const Coordinates& image) const override;
+  [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
+  [[nodiscard]] Corners corners(const Coordinates& image, int face) const override;
+  [[nodiscard]] Directions directions(const Frames& frames, int face) const override;
+  [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
+  [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
+
+  [[nodiscard]] const RigidMotion& motion(int face, int k) const {
+    return flat_.motions.corners[static_cast<std::size_t>(3 * face + k)];
+  }
+  /// Where corner k of a face lies in the plane.
+  [[nodiscard]] std::complex<double> corner(const Coordinates& image, int face, int k) const {
+    const int v = faces()(face, k);
+    return motion(face, k)({image(v, 0), image(v, 1)});
+  }
+
+ private:
+  const FlatConeSurface& flat_;
+};
+
+}  // namespace authalic
