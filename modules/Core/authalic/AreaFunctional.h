@@ -56,7 +56,7 @@ class AreaFunctional {
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;
 
   /// The frames applied to a step of unknownCount() numbers: n×d.
-  [[nodiscard]] Coordinates displacement(const Frames& frames, const Eigen::VectorXd& step) const;
+  [[nodiscard]] virtual Coordinates displacement(const Frames& frames, const Eigen::VectorXd& step) const;
 
  protected:
   /// @param freedom  n values 0, 1 or 2

@@ -16,6 +16,8 @@ class SlidingBoundary {
   /// Directions a vertex may move in: 2 = anywhere, 1 = along tangent(), 0 = fixed.
   [[nodiscard]] int freedom(int vertex) const { return freedom_[static_cast<std::size_t>(vertex)]; }
 
+  [[nodiscard]] bool onCircle() const noexcept { return circle_; }
+
   /// Unit vector along the boundary at a vertex with freedom 1.
   [[nodiscard]] Eigen::RowVector2d tangent(const Points2& image, int vertex) const;
 

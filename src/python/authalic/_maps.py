@@ -195,7 +195,7 @@ def flatten(points: Any,
 
 
 def _method_and_domain(method, domain):
-    """The method, and the domain that its filter is to be told; "sphere", "torus" and "flat-cones" are methods of their own."""
+    """The method, and the domain its filter is to be told; "sphere", "torus", "flat-cones" are methods of their own."""
     if method not in METHODS:
         raise InvalidArgument(f"method must be one of {', '.join(METHODS)}; it is {method!r}.")
     if isinstance(domain, str) and f"{method}-{domain}" in METHODS:
