@@ -67,7 +67,7 @@ Eigen::VectorXd newtonStep(const TransportCells& cells, const Eigen::VectorXd& e
 }  // namespace
 
 TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const Eigen::VectorXd& given, double area,
-                               const SemiDiscreteTransportOptions& options, Eigen::VectorXd start,
+                               const SemiDiscreteTransportOptions& options, Heights start,
                                const Execution& execution) {
   options.validate();
   const Eigen::VectorXd masses = checkedMasses(given, count, area);
@@ -96,7 +96,7 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
     const Eigen::VectorXd step = newtonStep(cells, error, options.solver, entries);
     const double size = error.norm();
     for (part = std::min(1.0, kGrowth * part); part > kShortestStep; part /= 2) {
-      cells.compute(result.heights + part * step);
+      cells.compute(result.heights + (part * step).cast<long double>());
       if (!(cells.areas().minCoeff() >= floor)) continue;
       error = cells.areas() - masses;
       if (error.norm() <= (1 - part / 2) * size) break;
@@ -106,7 +106,7 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
       result.status = Status::Stalled;
       break;
     }
-    result.heights += part * step;
+    result.heights += (part * step).cast<long double>();
     result.history.push_back({result.residual, part, cells.areas().minCoeff() / mean});
     ++result.iterations;
   }

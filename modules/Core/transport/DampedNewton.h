@@ -15,7 +15,7 @@ namespace authalic {
 class TransportCells {
  public:
   virtual ~TransportCells() = default;
-  virtual void compute(const Eigen::VectorXd& heights) = 0;
+  virtual void compute(const Heights& heights) = 0;
   [[nodiscard]] virtual const Eigen::VectorXd& areas() const = 0;
   /// Adds −∂w_i/∂h_j > 0 at (i, j), i > j, for every two cells with a common side.
   virtual void derivatives(std::vector<Eigen::Triplet<double>>& entries) const = 0;
@@ -24,6 +24,6 @@ class TransportCells {
 /// See semiDiscreteTransport. `cells` are those of the returned heights afterwards.
 [[nodiscard]] TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const Eigen::VectorXd& masses,
                                              double area, const SemiDiscreteTransportOptions& options,
-                                             Eigen::VectorXd start, const Execution& execution);
+                                             Heights start, const Execution& execution);
 
 }  // namespace authalic

@@ -50,8 +50,8 @@ void putBoundaryBack(const BoundaryPlacement& boundary, const PlanarDomain& doma
   }
 }
 
-Eigen::VectorXd potentialAt(const Points2& places, const Points2& sites, const Eigen::VectorXd& heights) {
-  return places.cwiseProduct(sites).rowwise().sum() + heights;
+Eigen::VectorXd potentialAt(const Points2& places, const Points2& sites, const Heights& heights) {
+  return places.cwiseProduct(sites).rowwise().sum() + heights.cast<double>();
 }
 
 void requireShares(const Eigen::VectorXd& shares, const DiskMesh& disk) {
@@ -111,7 +111,7 @@ OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen:
   }
   result.startSeconds = secondsSince(begun);
   PowerDiagram diagram(result.sites, options.domain);
-  result.masses = diagram.domainArea() * shares;
+  result.masses = options.domain.area() * shares;
   static_cast<TransportSolution&>(result) =
       semiDiscreteTransport(diagram, result.masses, options, {}, execution.part(0.1, 0.95));
   const PowerCells& cells = diagram.cells();

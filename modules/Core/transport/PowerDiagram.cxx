@@ -52,14 +52,14 @@ struct PowerDiagram::Walk {
   Points2 sites;
   ConvexRegion region;
   std::unique_ptr<RegularTriangulation> triangulation;
-  Eigen::VectorXd heights;
+  Heights heights;
   RegularConnectivity dual;
   std::vector<Eigen::Vector2d> corners;  // per finite face
   std::vector<char> inside;              // per face: its corner lies in the domain
   std::vector<int> rank;                 // dimension < 2: place of a site on the line
   int owner = 0;                         // site whose cell has a certain point of the boundary
 
-  void update(const Eigen::VectorXd& newHeights, const Execution& execution);
+  void update(const Heights& newHeights, const Execution& execution);
   [[nodiscard]] Eigen::Vector2d cornerOf(const std::array<int, 3>& face) const;
   bool chordBetween(int i, int j, int before, int after, Chord& chord) const;
   void chordsOf(int site, std::vector<Chord>& chords) const;
@@ -68,25 +68,23 @@ struct PowerDiagram::Walk {
 
 // x with ⟨x, y_j − y_i⟩ = h_i − h_j and ⟨x, y_k − y_i⟩ = h_i − h_k.
 Eigen::Vector2d PowerDiagram::Walk::cornerOf(const std::array<int, 3>& face) const {
+  using Real = long double;
   const int i = face[0], j = face[1], k = face[2];
-  const long double ax = static_cast<long double>(sites(j, 0)) - sites(i, 0),
-                    ay = static_cast<long double>(sites(j, 1)) - sites(i, 1);
-  const long double bx = static_cast<long double>(sites(k, 0)) - sites(i, 0),
-                    by = static_cast<long double>(sites(k, 1)) - sites(i, 1);
-  const long double a = static_cast<long double>(heights[i]) - heights[j],
-                    b = static_cast<long double>(heights[i]) - heights[k];
-  const long double turn = std::max(ax * by - ay * bx, 1e-280L);  // > 0 in exact arithmetic
+  const Real ax = Real(sites(j, 0)) - sites(i, 0), ay = Real(sites(j, 1)) - sites(i, 1), a = heights[i] - heights[j];
+  const Real bx = Real(sites(k, 0)) - sites(i, 0), by = Real(sites(k, 1)) - sites(i, 1), b = heights[i] - heights[k];
+  const Real turn = std::max(ax * by - ay * bx, 1e-280L);  // > 0 in exact arithmetic
   return {static_cast<double>((a * by - b * ay) / turn), static_cast<double>((b * ax - a * bx) / turn)};
 }
 
-void PowerDiagram::Walk::update(const Eigen::VectorXd& newHeights, const Execution& execution) {
+void PowerDiagram::Walk::update(const Heights& newHeights, const Execution& execution) {
   heights = newHeights;
-  dual = triangulation->triangulate(heights);
+  const Eigen::VectorXd rounded = heights.cast<double>();
+  dual = triangulation->triangulate(rounded);
   corners.resize(dual.corners.size());
   inside.assign(dual.corners.size(), 0);
   rank.assign(at(static_cast<int>(dual.line.empty() ? 0 : sites.rows())), -1);
   const Eigen::Vector2d somewhere = region.outline().corners.front();
-  (sites * somewhere + heights).maxCoeff(&owner);
+  (sites * somewhere + rounded).maxCoeff(&owner);
   for (std::size_t k = 0; k < dual.line.size(); ++k) rank[at(dual.line[k])] = static_cast<int>(k);
   parallelFor(dual.corners.size(), execution, [this](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
@@ -112,7 +110,7 @@ bool PowerDiagram::Walk::chordBetween(int i, int j, int before, int after, Chord
   }
   const Eigen::Vector2d normal = (sites.row(j) - sites.row(i)).transpose();
   const double square = normal.squaredNorm();
-  const Eigen::Vector2d foot = (heights[i] - heights[j]) / square * normal;
+  const Eigen::Vector2d foot = static_cast<double>(heights[i] - heights[j]) / square * normal;
   const Eigen::Vector2d direction = Eigen::Vector2d(-normal.y(), normal.x()) / std::sqrt(square);
   const ConvexRegion::Interval part = region.along(foot, direction);
   const auto isFinite = [this](int face) {
@@ -168,7 +166,7 @@ void PowerDiagram::Walk::outlineOf(int site, std::vector<Chord>& chords, CellOut
   if (chords.empty() && site == owner) outline = region.outline();  // no side in the domain
 }
 
-PowerDiagram::PowerDiagram(Points2 sites, const PlanarDomain& domain) : domainArea_(domain.area()) {
+PowerDiagram::PowerDiagram(Points2 sites, const PlanarDomain& domain) : domain_(domain) {
   requireDistinct(sites);
   walk_ = std::make_unique<Walk>(std::move(sites), domain);
 }
@@ -179,7 +177,7 @@ PowerDiagram& PowerDiagram::operator=(PowerDiagram&&) noexcept = default;
 
 const Points2& PowerDiagram::sites() const noexcept { return walk_->sites; }
 
-const PowerCells& PowerDiagram::compute(const Eigen::VectorXd& heights, const Execution& execution) {
+const PowerCells& PowerDiagram::compute(const Heights& heights, const Execution& execution) {
   const Points2& y = sites();
   const Eigen::Index n = y.rows();
   if (heights.size() != n || !heights.allFinite()) {

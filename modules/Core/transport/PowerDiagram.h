@@ -13,6 +13,10 @@
 
 namespace authalic {
 
+/// One height per site. Extended precision: where sites crowd at distances d, a height that is off by ε moves sides
+/// of cells by ε / d.
+using Heights = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
 /// What two cells have in common.
 struct PowerEdge {
   int first, second;  ///< sites, first < second
@@ -53,7 +57,11 @@ class PowerDiagram {
   PowerDiagram& operator=(PowerDiagram&&) noexcept;
 
   /// The cells of new heights. @param heights n. @throws GeometryError when there are not n finite ones.
-  const PowerCells& compute(const Eigen::VectorXd& heights, const Execution& execution = {});
+  const PowerCells& compute(const Heights& heights, const Execution& execution = {});
+  template <class Derived>
+  const PowerCells& compute(const Eigen::MatrixBase<Derived>& heights, const Execution& execution = {}) {
+    return compute(Heights(heights.template cast<long double>()), execution);
+  }
 
   /// Of the last heights.
   [[nodiscard]] const PowerCells& cells() const noexcept { return cells_; }
@@ -63,7 +71,7 @@ class PowerDiagram {
   [[nodiscard]] CellPolygons polygons(double arcStep = 0.02) const;
 
   [[nodiscard]] const Points2& sites() const noexcept;
-  [[nodiscard]] double domainArea() const noexcept { return domainArea_; }
+  [[nodiscard]] const PlanarDomain& domain() const noexcept { return domain_; }
 
   /// Whether this build can make power diagrams.
   [[nodiscard]] static bool available() noexcept;
@@ -71,7 +79,7 @@ class PowerDiagram {
  private:
   struct Walk;
   std::unique_ptr<Walk> walk_;
-  double domainArea_;
+  PlanarDomain domain_;
   PowerCells cells_;
 };
 

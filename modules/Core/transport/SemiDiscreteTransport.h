@@ -34,7 +34,7 @@ struct TransportSolution {
   Status status = Status::NotRun;  ///< Converged: residual within the tolerance; Stalled: no step was possible
   int iterations = 0;
   double residual = 0;       ///< max |w_i − ν_i| / mean ν
-  Eigen::VectorXd heights;   ///< n, mean 0
+  Heights heights;           ///< n
   std::vector<TransportIteration> history;
 };
 
@@ -44,21 +44,23 @@ struct TransportSolution {
 /// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
 /// ∂w_i/∂h_j = −|e_ij| / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a step
 /// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν) and |w − ν| falls to (1 −
-/// α/2) of itself, else halved. Converges from every start without empty cells, at the end quadratically.
+/// α/2) of itself, else halved; the next one tried is four times longer, 1 at most. Converges from every start
+/// without empty cells, at the end quadratically.
 ///
 /// @param diagram  its sites and domain; holds the cells of the result afterwards
 /// @param masses   ν, n, > 0, with the sum of the domain's area (to 1e-6; scaled to it exactly)
-/// @param start    n heights without empty cells, or empty for Voronoi's cells
+/// @param start    n heights without empty cells, or empty for startHeights
 /// Guarantees: no cell of any iterate is empty; when not converged, the best iterate with its residual.
 /// Complexity: a power diagram and a sparse factorisation of size n per step, O(n^1.5).
 /// @throws InvalidArgument from options; GeometryError when a mass is not positive or their sum differs from the
 ///         area, or the start has empty cells; SolverError when a system cannot be factorised
 [[nodiscard]] TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::VectorXd& masses,
                                                       const SemiDiscreteTransportOptions& options = {},
-                                                      const Eigen::VectorXd& start = {},
+                                                      const Heights& start = {},
                                                       const Execution& execution = {});
 
-/// Heights of Voronoi's diagram, −|y_i|² / 2.
-[[nodiscard]] Eigen::VectorXd voronoiHeights(const Points2& sites);
+/// Heights without empty cells: Voronoi's, −|y_i|² / 2, when all sites lie in the domain; else those of the sites
+/// moved and scaled into it, which have the same cells.
+[[nodiscard]] Heights startHeights(const Points2& sites, const PlanarDomain& domain);
 
 }  // namespace authalic
