@@ -25,7 +25,9 @@ class LieFlowFamily : public MapFamily {
             {"--tolerance",
              "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations",
-             "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"}};
+             "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
+            {"--finish", "after the flow, on the input's connectivity: " + oneOf(finishes) + " areas (default: " +
+                             finishes[static_cast<std::size_t>(defaults_->GetFinish())] + ")"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -37,10 +39,6 @@ class LieFlowFamily : public MapFamily {
                          "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
         ->type_name("X")
         ->default_str(shown(defaults_->GetFixedStep()));
-    own(verb->add_option("--finish", finish_,
-                         "After the flow, on the input's connectivity: " + oneOf(finishes) + " areas."))
-        ->type_name("HOW")
-        ->default_str(finishes[static_cast<std::size_t>(defaults_->GetFinish())]);
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
@@ -51,7 +49,7 @@ class LieFlowFamily : public MapFamily {
     if (shared.maxIterations) flow->SetMaximumIterations(*shared.maxIterations);
     if (fixedStep_) flow->SetFixedStep(*fixedStep_);
     if (stepRatio_) flow->SetStepRatio(*stepRatio_);
-    if (finish_) flow->SetFinish(choice("--finish", *finish_, finishes));
+    if (shared.finish) flow->SetFinish(choice("--finish", *shared.finish, finishes));
     if (!shared.initial) return flow;
     if (isFile(*shared.initial)) flow->SetInputData(1, readSurface(*shared.initial, session, shared.space));
     else flow->SetInitialMethod(choice("--initial", *shared.initial, initials));
@@ -61,7 +59,6 @@ class LieFlowFamily : public MapFamily {
  private:
   vtkNew<vtkDiscreteLieFlow> defaults_;
   std::optional<double> fixedStep_, stepRatio_;
-  std::optional<std::string> finish_;
 };
 
 }  // namespace
