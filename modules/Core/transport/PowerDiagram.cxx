@@ -2,38 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "Core/base/Error.h"
 #include "Core/transport/ConvexRegion.h"
+#include "Core/transport/DistinctSites.h"
 #include "Core/transport/RegularTriangulation.h"
 
 namespace authalic {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-void requireDistinct(const Points2& sites) {
-  if (sites.rows() == 0) throw GeometryError("At least one site is required, but there is none.");
-  std::vector<int> order(static_cast<std::size_t>(sites.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  for (const int i : order) {
-    if (sites.row(i).allFinite()) continue;
-    throw GeometryError("Sites with finite coordinates are required, but site " + std::to_string(i) + " has none.");
-  }
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::make_pair(sites(a, 0), sites(a, 1)) < std::make_pair(sites(b, 0), sites(b, 1));
-  });
-  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-    const int a = std::min(order[k], order[k + 1]), b = std::max(order[k], order[k + 1]);
-    if (sites.row(a) != sites.row(b)) continue;
-    throw GeometryError("Sites in different places are required, but sites " + std::to_string(a) + " and " +
-                        std::to_string(b) + " are both at (" + std::to_string(sites(a, 0)) + ", " +
-                        std::to_string(sites(a, 1)) + "); merge them or move one.");
-  }
-}
 
 // Side of a cell inside the domain, in the direction that has the cell to its left.
 struct Chord {
@@ -167,7 +147,7 @@ void PowerDiagram::Walk::outlineOf(int site, std::vector<Chord>& chords, CellOut
 }
 
 PowerDiagram::PowerDiagram(Points2 sites, const PlanarDomain& domain) : domain_(domain) {
-  requireDistinct(sites);
+  requireDistinctSites(sites);
   walk_ = std::make_unique<Walk>(std::move(sites), domain);
 }
 

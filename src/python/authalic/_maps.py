@@ -34,6 +34,7 @@ METHODS: dict[str, Method] = {
     "authalic-sphere": Method("vtkSphericalAuthalicMap", surface="sphere"),
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
+    "transport": Method("vtkOptimalTransportMap"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
     "riemann": Method("vtkRiemannMap"),
@@ -128,6 +129,7 @@ def flatten(points: Any,
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
+                "transport": by optimal transport, finish="authalic" makes it exact and unfolds it;
                 "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
@@ -139,8 +141,9 @@ def flatten(points: Any,
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
-    initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
-                same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
+    initial     where an iteration starts: a barycentric method by name ("transport": "harmonic" or "riemann"), or an
+                image (n, 2) or SurfaceMap to the same domain; for "sphere" the road: "harmonic", "stereographic",
+                "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest
