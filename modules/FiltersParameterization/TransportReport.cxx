@@ -35,18 +35,32 @@ MapReport describeTransport(const TransportSolution& result, const TransportCost
   return report;
 }
 
-void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int>& starts) {
+void describeFinish(const AuthalicSolution& finished, const FinishCosts& costs, MapReport& report, vtkPolyData* map) {
+  if (report.status == Status::Converged) report.status = finished.status;
+  report.seconds.emplace_back("finish", finished.startSeconds + finished.faceSeconds + finished.vertexSeconds);
+  report.more.set("finished_cost", costs.displacement);
+  report.more.set("flipped_before_finish", costs.flippedBefore);
+  report.more.set("finish_iterations", finished.iterations);
+  addField(map, "FinishedCost", costs.displacement);
+  addField(map, "FlippedBeforeFinish", costs.flippedBefore);
+}
+
+void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int>& starts,
+              const Eigen::VectorXd& areas) {
   setPoints(output, corners);
   vtkNew<vtkCellArray> polygons;
   std::vector<int> sites;
+  std::vector<double> drawn;
   for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
     if (starts[i + 1] - starts[i] < 3) continue;
     polygons->InsertNextCell(starts[i + 1] - starts[i]);
     for (int k = starts[i]; k < starts[i + 1]; ++k) polygons->InsertCellPoint(k);
     sites.push_back(static_cast<int>(i));
+    drawn.push_back(areas[static_cast<Eigen::Index>(i)]);
   }
   output->SetPolys(polygons);
   addIds(output->GetCellData(), "SiteIds", sites);
+  addArray(output->GetCellData(), "Area", drawn);
 }
 
 }  // namespace authalic

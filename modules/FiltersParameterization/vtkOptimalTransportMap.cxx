@@ -3,7 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -46,31 +45,15 @@ void addMapArrays(vtkPolyData* map, const authalic::OptimalTransportMapResult& r
 }
 
 void fillCells(vtkPolyData* cells, const authalic::OptimalTransportMapResult& result) {
-  authalic::setCells(cells, lifted(result.cells.corners), result.cells.starts);
+  authalic::setCells(cells, lifted(result.cells.corners), result.cells.starts, result.cellAreas);
   const std::vector<int>& starts = result.cells.starts;
   const Eigen::VectorXd heights = result.heights.cast<double>();
   Eigen::VectorXd potential(result.cells.corners.rows());
-  std::vector<double> areas;
   for (Eigen::Index i = 0; i < heights.size(); ++i) {
     const int begin = starts[static_cast<std::size_t>(i)], end = starts[static_cast<std::size_t>(i) + 1];
-    if (end - begin >= 3) areas.push_back(result.cellAreas[i]);
     for (int k = begin; k < end; ++k) potential[k] = result.cells.corners.row(k).dot(result.sites.row(i)) + heights[i];
   }
-  authalic::addArray(cells->GetCellData(), "Area", areas);
   authalic::addArray(cells->GetPointData(), "Potential", potential);
-}
-
-// What the exact solve made of the transported map.
-void describeFinish(const authalic::OptimalTransportMapResult& before, const authalic::AuthalicMapResult& after,
-                    authalic::MapReport& report, vtkPolyData* output) {
-  if (report.status == authalic::Status::Converged) report.status = after.status;
-  const double cost = authalic::displacementCost(before.masses, before.sites, after.image);
-  report.seconds.emplace_back("finish", after.startSeconds + after.faceSeconds + after.vertexSeconds);
-  report.more.set("finished_cost", cost);
-  report.more.set("flipped_before_finish", before.flippedFaces);
-  report.more.set("finish_iterations", after.iterations);
-  authalic::addField(output, "FinishedCost", cost);
-  authalic::addField(output, "FlippedBeforeFinish", before.flippedFaces);
 }
 
 }  // namespace
@@ -128,7 +111,10 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   authalic::MapReport report =
       authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
   report.seconds = {{"start", result.startSeconds}, {"transport", result.transportSeconds}};
-  if (finished) describeFinish(result, *finished, report, output);
+  if (finished) {
+    const double cost = authalic::displacementCost(result.masses, result.sites, image);
+    authalic::describeFinish(*finished, {cost, result.flippedFaces}, report, output);
+  }
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeAllOptions(given != nullptr);

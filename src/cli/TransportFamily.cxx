@@ -1,6 +1,7 @@
 #include <vtkNew.h>
 #include <vtkOptimalTransportMap.h>
 #include <vtkPolyData.h>
+#include <vtkSphericalTransportMap.h>
 
 #include "MapFamily.h"
 
@@ -15,20 +16,21 @@ class TransportFamily : public MapFamily {
   std::vector<std::string> methods() const override { return {"transport"}; }
 
   std::string description() const override {
-    return "transport: area-preserving, or to a measure of yours (--measure), by optimal transport: the "
-           "power cell of "
-           "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces "
-           "are not exact "
-           "and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT "
-           "or a convex "
-           "polygon:FILE.";
+    return "transport: area-preserving, or to a measure of yours (--measure), by optimal transport: the power cell of "
+           "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
+           "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
+           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
-    return {{"--initial", oneOf(initials) + " (riemann: to the disk), or a MAP.vtp to the same domain (default: " +
+    return {{"--initial", oneOf(initials) +
+                              " (riemann: to the disk), or a MAP.vtp to the same domain; the conformal map "
+                              "for a sphere (default: " +
                               initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
-            {"--tolerance", "largest error of a cell / mean cell (default: " + shown(defaults_->GetTolerance()) + ")"},
-            {"--max-iterations", "Newton steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
+            {"--tolerance",
+             "largest error of a cell / mean cell (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--max-iterations",
+             "Newton steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
             {"--finish", oneOf(finishes) + " (default: " +
                              finishes[static_cast<std::size_t>(defaults_->GetFinish())] + ")"}};
   }
@@ -40,16 +42,11 @@ class TransportFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
+    if (!cells_.empty()) requireArrayFormat("--cells", cells_);
+    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), shared, session);
     const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
     setDiskDomain(map, shared.domain);
-    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
-    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
-    if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));
-    if (!cells_.empty()) requireArrayFormat("--cells", cells_);
-    if (!shared.initial) return map;
-    if (isFile(*shared.initial)) map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
-    else map->SetInitialMethod(choice("--initial", *shared.initial, initials));
-    return map;
+    return configured(map, shared, session);
   }
 
   std::vector<std::string> files() const override { return {cells_}; }
@@ -70,6 +67,24 @@ class TransportFamily : public MapFamily {
   }
 
  private:
+  template <class Filter>
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
+                                     const Session& session) const {
+    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
+    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
+    if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));
+    if (!shared.initial) return map;
+    if (isFile(*shared.initial)) {
+      map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    } else if (auto* disk = vtkOptimalTransportMap::SafeDownCast(map)) {
+      disk->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    } else {
+      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain sphere; leave it out, the "
+                                  "start is the conformal map.");
+    }
+    return map;
+  }
+
   vtkNew<vtkOptimalTransportMap> defaults_;
   std::string cells_;
 };

@@ -50,7 +50,8 @@ struct Rings {
     std::vector<Eigen::Vector3d> places;
     for (int r = 0; r <= count; ++r) {
       const double polar = M_PI * r / count;
-      size.push_back(r == 0 || r == count ? 1 : std::max(4, static_cast<int>(std::lround(2 * count * std::sin(polar)))));
+      size.push_back(
+          r == 0 || r == count ? 1 : std::max(4, static_cast<int>(std::lround(2 * count * std::sin(polar)))));
       for (int k = 0; k < size.back(); ++k) {
         const double angle = 2 * M_PI * (k + 0.5 * (r % 2)) / size.back();
         places.emplace_back(std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
@@ -62,8 +63,8 @@ struct Rings {
   }
 };
 
-// A monotone map of heights z of a cap density: masses in proportion to `densityOfCap` within the cap z > ½. In closed
-// form the share of the sphere above the image of height z is that of the mass above it.
+// A monotone map of heights z of a cap density: masses in proportion to `densityOfCap` within the cap z > ½. In
+// closed form the share of the sphere above the image of height z is that of the mass above it.
 double imageHeight(double z, double density) {
   const double cap = 0.5, whole = density * (1 - cap) + (1 + cap);
   const double above = z > cap ? density * (1 - z) : density * (1 - cap) + (cap - z);

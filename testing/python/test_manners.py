@@ -101,6 +101,7 @@ CASES = {
     "vtkDiscreteLieFlow": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkLieAdvection": Case((disk,), {"NumberOfSteps": 5}, wrong=(0, ball), adders=CORNER),
     "vtkOptimalTransportMap": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkSphericalTransportMap": Case((ball,), wrong=(0, disk)),
     "vtkAuthalicMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalAuthalicMap": Case((ball,), wrong=(0, disk)),
     "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),

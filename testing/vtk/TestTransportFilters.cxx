@@ -11,10 +11,12 @@
 #include <vtkOptimalTransportMap.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSphericalTransportMap.h>
 
 #include "Conversion.h"
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/transport/OptimalTransportMap.h"
+#include "Core/transport/SphericalTransportMap.h"
 #include "support/TestMeshes.h"
 
 namespace {
@@ -22,6 +24,7 @@ namespace {
 using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::sphereMesh;
+using authalic::testing::wavySphere;
 
 class TransportFilters : public ::testing::Test {
  protected:
@@ -63,7 +66,7 @@ TEST_F(TransportFilters, GiveTheImageAndTheCellsOfCore) {
   vtkNew<vtkCellSizeFilter> size;
   size->SetInputData(cells);
   size->Update();
-  vtkDataArray* drawn = size->GetOutput()->GetCellData()->GetArray("Area");
+  vtkDataArray* drawn = size->GetPolyDataOutput()->GetCellData()->GetArray("Area");
   vtkDataArray* exact = cells->GetCellData()->GetArray("Area");
   vtkDataArray* ids = cells->GetCellData()->GetArray("SiteIds");
   for (int i = 0; i < disk.mesh().vertexCount(); ++i) {
@@ -129,5 +132,31 @@ TEST_F(TransportFilters, SayWhatTheyCannotDo) {
   filter->SetInputData(0, polyData(sphereMesh(2)));
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::SURFACE);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
+  const SphereMesh sphere(wavySphere(3));
+  const SphericalTransportMapResult core = sphericalTransportMap(sphere, TargetMeasure(sphere.mesh()).vertices());
+  vtkNew<vtkSphericalTransportMap> filter;
+  filter->SetInputData(0, polyData(sphere.mesh()));
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPoints(filter->GetOutput()), core.image);
+  EXPECT_EQ(field(filter->GetOutput(), "TransportCost"), core.transportCost);
+  vtkPolyData* cells = filter->GetOutput(1);
+  ASSERT_EQ(cells->GetNumberOfPolys(), sphere.mesh().vertexCount());
+  for (int i = 0; i < sphere.mesh().vertexCount(); ++i) {
+    EXPECT_EQ(cells->GetCellData()->GetArray("Area")->GetComponent(i, 0), core.cellAreas[i]);
+  }
+  filter->SetFinishToAuthalic();
+  filter->Update();
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+  EXPECT_LT(filter->GetTotalAreaDistortion(), 2.001);
+  EXPECT_GT(field(filter->GetOutput(), "FinishedCost"), 0);
+  vtkObject::GlobalWarningDisplayOff();
+  filter->SetInputData(0, polyData(bumpyDisk(4)));
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::SURFACE);
   vtkObject::GlobalWarningDisplayOn();
 }

@@ -35,6 +35,7 @@ METHODS: dict[str, Method] = {
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "transport": Method("vtkOptimalTransportMap"),
+    "transport-sphere": Method("vtkSphericalTransportMap", surface="sphere"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-advection": Method("vtkLieAdvection"),
     "riemann": Method("vtkRiemannMap"),
@@ -129,7 +130,7 @@ def flatten(points: Any,
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
-                "transport": by optimal transport, finish="authalic" makes it exact and unfolds it;
+                "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
                 "lie-flow", "lie-advection": methods of the literature for it;
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
