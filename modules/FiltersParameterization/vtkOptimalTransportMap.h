@@ -56,7 +56,7 @@ public:
   };
   enum FinishType
   {
-    NONE = 0,
+    NO_FINISH = 0,
     AUTHALIC = 1
   };
 
@@ -81,10 +81,11 @@ public:
   ///@}
 
   ///@{
-  /** AUTHALIC: remove folds and area errors afterwards, with the defaults of vtkAuthalicMap. Default NONE. */
-  vtkSetClampMacro(Finish, int, NONE, AUTHALIC);
+  /** AUTHALIC: remove folds and area errors afterwards, with the defaults of vtkAuthalicMap. Default
+   * NO_FINISH. */
+  vtkSetClampMacro(Finish, int, NO_FINISH, AUTHALIC);
   vtkGetMacro(Finish, int);
-  void SetFinishToNone() { this->SetFinish(NONE); }
+  void SetFinishToNone() { this->SetFinish(NO_FINISH); }
   void SetFinishToAuthalic() { this->SetFinish(AUTHALIC); }
   ///@}
 
@@ -98,7 +99,7 @@ protected:
   int InitialMethod = HARMONIC;
   double Tolerance;
   int MaximumIterations;
-  int Finish = NONE;
+  int Finish = NO_FINISH;
 
 private:
   authalic::Json DescribeAllOptions(bool initialMapGiven) const;

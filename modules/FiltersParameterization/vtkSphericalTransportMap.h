@@ -46,7 +46,7 @@ public:
 
   enum FinishType
   {
-    NONE = 0,
+    NO_FINISH = 0,
     AUTHALIC = 1
   };
 
@@ -63,10 +63,11 @@ public:
   ///@}
 
   ///@{
-  /** AUTHALIC: remove folds and area errors afterwards, with the defaults of vtkSphericalAuthalicMap. Default NONE. */
-  vtkSetClampMacro(Finish, int, NONE, AUTHALIC);
+  /** AUTHALIC: remove folds and area errors afterwards, with the defaults of vtkSphericalAuthalicMap. Default
+   * NO_FINISH. */
+  vtkSetClampMacro(Finish, int, NO_FINISH, AUTHALIC);
   vtkGetMacro(Finish, int);
-  void SetFinishToNone() { this->SetFinish(NONE); }
+  void SetFinishToNone() { this->SetFinish(NO_FINISH); }
   void SetFinishToAuthalic() { this->SetFinish(AUTHALIC); }
   ///@}
 
@@ -79,7 +80,7 @@ protected:
 
   double Tolerance;
   int MaximumIterations;
-  int Finish = NONE;
+  int Finish = NO_FINISH;
 
 private:
   vtkSphericalTransportMap(const vtkSphericalTransportMap&) = delete;

@@ -232,6 +232,28 @@ TEST_F(PowerDiagrams, HaveTheAreasAsDerivativesOfTheIntegratedPotential) {
   }
 }
 
+TEST_F(PowerDiagrams, FollowChangingHeightsAsIfMadeAnew) {
+  for (const bool disk : {true, false}) {
+    Points2 sites = randomPoints(2000, 21, disk ? -0.7 : 0, disk ? 0.7 : 1);
+    if (!disk) {  // sites on straight sides, where the hull of the sites is flat
+      for (int k = 0; k < 40; ++k) sites.row(k) << k / 40.0, 0;
+      for (int k = 0; k < 40; ++k) sites.row(40 + k) << 1, k / 40.0;
+    }
+    const PlanarDomain domain = disk ? PlanarDomain::disk() : PlanarDomain::square();
+    PowerDiagram followed(sites, domain);
+    followed.compute(voronoi(sites));
+    for (unsigned step = 1; step < 20; ++step) {  // small changes, a few that hide sites, and back
+      const Eigen::VectorXd heights = noisyHeights(sites, step, step % 5 == 0 ? 1e-2 : 2e-5 * step);
+      PowerDiagram fresh(sites, domain);
+      const PowerCells& expected = fresh.compute(heights);
+      const PowerCells& cells = followed.compute(heights);
+      EXPECT_LT((cells.areas - expected.areas).cwiseAbs().maxCoeff(), 1e-14) << step;
+      EXPECT_EQ(cells.emptyCells, expected.emptyCells) << step;
+      EXPECT_NEAR(cells.areas.sum(), domain.area(), 1e-12);
+    }
+  }
+}
+
 TEST_F(PowerDiagrams, AreTheSameBitsAtAnyNumberOfThreads) {
   const Points2 sites = randomPoints(5000, 9);
   PowerDiagram diagram(sites, PlanarDomain::disk());

@@ -8,6 +8,7 @@
 #include "Core/base/Error.h"
 #include "Core/transport/ConvexRegion.h"
 #include "Core/transport/DistinctSites.h"
+#include "Core/transport/RegularFlips.h"
 #include "Core/transport/RegularTriangulation.h"
 
 namespace authalic {
@@ -34,12 +35,14 @@ struct PowerDiagram::Walk {
   std::unique_ptr<RegularTriangulation> triangulation;
   Heights heights;
   RegularConnectivity dual;
+  RegularConnectivity kept;              // a triangulation of all sites, to flip from; or empty
   std::vector<Eigen::Vector2d> corners;  // per finite face
   std::vector<char> inside;              // per face: its corner lies in the domain
   std::vector<int> rank;                 // dimension < 2: place of a site on the line
   int owner = 0;                         // site whose cell has a certain point of the boundary
 
   void update(const Heights& newHeights, const Execution& execution);
+  void triangulate(const Eigen::VectorXd& rounded);
   [[nodiscard]] Eigen::Vector2d cornerOf(const std::array<int, 3>& face) const;
   bool chordBetween(int i, int j, int before, int after, Chord& chord) const;
   void chordsOf(int site, std::vector<Chord>& chords) const;
@@ -56,10 +59,21 @@ Eigen::Vector2d PowerDiagram::Walk::cornerOf(const std::array<int, 3>& face) con
   return {static_cast<double>((a * by - b * ay) / turn), static_cast<double>((b * ax - a * bx) / turn)};
 }
 
+// From the last triangulation by flips where that is possible, else anew.
+void PowerDiagram::Walk::triangulate(const Eigen::VectorXd& rounded) {
+  if (!kept.corners.empty() && flipToRegular(sites, heights, kept)) {
+    dual = kept;
+    return;
+  }
+  dual = triangulation->triangulate(rounded);
+  const bool allVisible = std::find(dual.faceOf.begin(), dual.faceOf.end(), -1) == dual.faceOf.end();
+  if (dual.dimension == 2 && allVisible) kept = dual;
+}
+
 void PowerDiagram::Walk::update(const Heights& newHeights, const Execution& execution) {
   heights = newHeights;
   const Eigen::VectorXd rounded = heights.cast<double>();
-  dual = triangulation->triangulate(rounded);
+  triangulate(rounded);
   corners.resize(dual.corners.size());
   inside.assign(dual.corners.size(), 0);
   rank.assign(at(static_cast<int>(dual.line.empty() ? 0 : sites.rows())), -1);

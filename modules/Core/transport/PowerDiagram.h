@@ -44,7 +44,8 @@ struct CellPolygons {
 ///
 /// Arcs of the disk are exact (Green's theorem), and every cell corner is computed once for all its cells: areas sum
 /// to that of Ω up to rounding. Cells without any point are allowed and counted.
-/// Complexity: O(n log n) for the triangulation (exact predicates, one thread), O(n) for the cells (all threads).
+/// Complexity: O(n log n) for the first triangulation (exact predicates, one thread), O(n + flips) for later ones of
+/// similar heights, O(n) for the cells (all threads).
 class PowerDiagram {
  public:
   /// @param sites   n×2, n ≥ 1, anywhere in the plane, no two in one place

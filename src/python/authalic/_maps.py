@@ -142,9 +142,8 @@ def flatten(points: Any,
     measure     density relative to the native area, one number > 0 per vertex (n) or per face (m), or the name of
                 such an array of the surface; a region with 4 gets four times the share that its area has. None = 1
                 everywhere. Where n = m the numbers are per vertex
-    initial     where an iteration starts: a barycentric method by name ("transport": "harmonic" or "riemann"), or an
-                image (n, 2) or SurfaceMap to the same domain; for "sphere" the road: "harmonic", "stereographic",
-                "mean-curvature-flow", "welding"
+    initial     where an iteration starts: a barycentric method by name (or "riemann"), an image (n, 2) or SurfaceMap to
+                the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     hole_areas  of "authalic-holes": area of every hole but the outer loop, mm^2, in the order of the loops' smallest

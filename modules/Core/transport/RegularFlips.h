@@ -1,0 +1,21 @@
+/// @file
+/// A regular triangulation kept while heights change a little. Private to transport/.
+#pragma once
+
+#include "Core/transport/PowerDiagram.h"
+#include "Core/transport/RegularTriangulation.h"
+
+namespace authalic {
+
+/// Flips edges until the triangulation is regular for new heights: the lower hull of (y_i, −h_i) @cite
+/// edelsbrunner1996.
+///
+/// An edge is flipped when its quadrilateral is convex and the opposite vertex lies below the plane of the face by
+/// more than rounding in extended precision. Edges left within rounding of regular move no side of a cell by more
+/// than rounding.
+/// @param triangulation  dimension 2, of all sites; afterwards still a triangulation of all of them
+/// @return false when it could not be made regular: a site is hidden, flips are stuck, or there would be too many
+/// Complexity: O(n + flips).
+[[nodiscard]] bool flipToRegular(const Points2& sites, const Heights& heights, RegularConnectivity& triangulation);
+
+}  // namespace authalic
