@@ -74,12 +74,9 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
   const double mean = area / static_cast<double>(count);
   TransportSolution result;
   result.heights = std::move(start);
-  cells.compute(result.heights);
-  const double smallest = cells.areas().minCoeff();
+  const double smallest = cells.compute(result.heights) ? cells.areas().minCoeff() : 0;
   if (!(smallest > 0)) {
-    throw GeometryError("A start without empty cells is required, but " +
-                        std::to_string((cells.areas().array() <= 0).count()) +
-                        " are empty; leave the start out, with the sites inside the domain.");
+    throw GeometryError("A start without empty cells is required, but there are some; leave the start out.");
   }
   const double floor = 0.5 * std::min(smallest, masses.minCoeff());
   Eigen::VectorXd error = cells.areas() - masses;
@@ -96,13 +93,13 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
     const Eigen::VectorXd step = newtonStep(cells, error, options.solver, entries);
     const double size = error.norm();
     for (part = std::min(1.0, kGrowth * part); part > kShortestStep; part /= 2) {
-      cells.compute(result.heights + (part * step).cast<long double>());
+      if (!cells.compute(result.heights + (part * step).cast<long double>())) continue;
       if (!(cells.areas().minCoeff() >= floor)) continue;
       error = cells.areas() - masses;
       if (error.norm() <= (1 - part / 2) * size) break;
     }
     if (part <= kShortestStep) {
-      cells.compute(result.heights);
+      (void)cells.compute(result.heights);
       result.status = Status::Stalled;
       break;
     }

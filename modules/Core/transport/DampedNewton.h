@@ -15,7 +15,8 @@ namespace authalic {
 class TransportCells {
  public:
   virtual ~TransportCells() = default;
-  virtual void compute(const Heights& heights) = 0;
+  /// @return false when a cell is empty; nothing else may then be asked for
+  [[nodiscard]] virtual bool compute(const Heights& heights) = 0;
   [[nodiscard]] virtual const Eigen::VectorXd& areas() const = 0;
   /// Adds −∂w_i/∂h_j > 0 at (i, j), i > j, for every two cells with a common side.
   virtual void derivatives(std::vector<Eigen::Triplet<double>>& entries) const = 0;

@@ -41,8 +41,8 @@ struct PowerDiagram::Walk {
   std::vector<int> rank;                 // dimension < 2: place of a site on the line
   int owner = 0;                         // site whose cell has a certain point of the boundary
 
-  void update(const Heights& newHeights, const Execution& execution);
-  void triangulate(const Eigen::VectorXd& rounded);
+  bool update(const Heights& newHeights, bool unlessHidden, const Execution& execution);
+  bool triangulate(const Eigen::VectorXd& rounded, bool unlessHidden);
   [[nodiscard]] Eigen::Vector2d cornerOf(const std::array<int, 3>& face) const;
   bool chordBetween(int i, int j, int before, int after, Chord& chord) const;
   void chordsOf(int site, std::vector<Chord>& chords) const;
@@ -59,21 +59,24 @@ Eigen::Vector2d PowerDiagram::Walk::cornerOf(const std::array<int, 3>& face) con
   return {static_cast<double>((a * by - b * ay) / turn), static_cast<double>((b * ax - a * bx) / turn)};
 }
 
-// From the last triangulation by flips where that is possible, else anew.
-void PowerDiagram::Walk::triangulate(const Eigen::VectorXd& rounded) {
-  if (!kept.corners.empty() && flipToRegular(sites, heights, kept)) {
+// From the last triangulation by flips where that is possible, else anew. False when unlessHidden and a site is.
+bool PowerDiagram::Walk::triangulate(const Eigen::VectorXd& rounded, bool unlessHidden) {
+  const FlipResult flips = kept.corners.empty() ? FlipResult::GivenUp : flipToRegular(sites, heights, kept);
+  if (flips == FlipResult::Regular) {
     dual = kept;
-    return;
+    return true;
   }
+  if (flips == FlipResult::Hidden && unlessHidden) return false;
   dual = triangulation->triangulate(rounded);
   const bool allVisible = std::find(dual.faceOf.begin(), dual.faceOf.end(), -1) == dual.faceOf.end();
   if (dual.dimension == 2 && allVisible) kept = dual;
+  return allVisible || !unlessHidden;
 }
 
-void PowerDiagram::Walk::update(const Heights& newHeights, const Execution& execution) {
+bool PowerDiagram::Walk::update(const Heights& newHeights, bool unlessHidden, const Execution& execution) {
   heights = newHeights;
   const Eigen::VectorXd rounded = heights.cast<double>();
-  triangulate(rounded);
+  if (!triangulate(rounded, unlessHidden)) return false;
   corners.resize(dual.corners.size());
   inside.assign(dual.corners.size(), 0);
   rank.assign(at(static_cast<int>(dual.line.empty() ? 0 : sites.rows())), -1);
@@ -88,6 +91,7 @@ void PowerDiagram::Walk::update(const Heights& newHeights, const Execution& exec
       inside[f] = region.contains(corners[f]);
     }
   });
+  return true;
 }
 
 // The side between cells i and j from face `before` to face `after` (−1 at infinity), as cell i sees it.
@@ -172,13 +176,22 @@ PowerDiagram& PowerDiagram::operator=(PowerDiagram&&) noexcept = default;
 const Points2& PowerDiagram::sites() const noexcept { return walk_->sites; }
 
 const PowerCells& PowerDiagram::compute(const Heights& heights, const Execution& execution) {
+  update(heights, false, execution);
+  return cells_;
+}
+
+bool PowerDiagram::computeUnlessHidden(const Heights& heights, const Execution& execution) {
+  return update(heights, true, execution);
+}
+
+bool PowerDiagram::update(const Heights& heights, bool unlessHidden, const Execution& execution) {
   const Points2& y = sites();
   const Eigen::Index n = y.rows();
   if (heights.size() != n || !heights.allFinite()) {
     throw GeometryError("One finite height per site (" + std::to_string(n) + ") is required, but there are " +
                         std::to_string(heights.size()) + (heights.allFinite() ? "." : ", not all of them finite."));
   }
-  walk_->update(heights, execution);
+  if (!walk_->update(heights, unlessHidden, execution)) return false;
   cells_.areas.resize(n), cells_.costs.resize(n), cells_.centroids.resize(n, 2);
   std::vector<std::vector<PowerEdge>> found(at(static_cast<int>((n + 1023) / 1024)));
   parallelFor(found.size(), execution, [&](std::size_t begin, std::size_t end) {
@@ -202,7 +215,7 @@ const PowerCells& PowerDiagram::compute(const Heights& heights, const Execution&
   cells_.edges.clear();
   for (const auto& edges : found) cells_.edges.insert(cells_.edges.end(), edges.begin(), edges.end());
   cells_.emptyCells = static_cast<int>((cells_.areas.array() <= 0).count());
-  return cells_;
+  return true;
 }
 
 CellPolygons PowerDiagram::polygons(double arcStep) const {

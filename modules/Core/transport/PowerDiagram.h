@@ -64,6 +64,10 @@ class PowerDiagram {
     return compute(Heights(heights.template cast<long double>()), execution);
   }
 
+  /// As compute(), but false, with nothing that cells() may be asked for, when the triangulation shows that a site has
+  /// no cell: much quicker then.
+  [[nodiscard]] bool computeUnlessHidden(const Heights& heights, const Execution& execution = {});
+
   /// Of the last heights.
   [[nodiscard]] const PowerCells& cells() const noexcept { return cells_; }
 
@@ -78,6 +82,8 @@ class PowerDiagram {
   [[nodiscard]] static bool available() noexcept;
 
  private:
+  bool update(const Heights& heights, bool unlessHidden, const Execution& execution);
+
   struct Walk;
   std::unique_ptr<Walk> walk_;
   PlanarDomain domain_;

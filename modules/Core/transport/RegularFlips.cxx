@@ -17,7 +17,7 @@ class Flipping {
   Flipping(const Points2& sites, const Heights& heights, RegularConnectivity& triangulation)
       : y_(sites), h_(heights), t_(triangulation) {}
 
-  bool run() {
+  FlipResult run() {
     const int faces = static_cast<int>(t_.corners.size());
     for (int f = 0; f < faces; ++f) {
       for (int k = 0; k < 3; ++k) {
@@ -30,13 +30,15 @@ class Flipping {
       open_.pop_back();
       if (regular(edge / 3, edge % 3)) continue;
       if (!convex_) {
-        stuck_.push_back(edge / 3);
+        if (hidden(edge / 3, edge % 3)) return FlipResult::Hidden;
+        stuck_ = true;
         continue;
       }
-      if (left-- == 0) return false;
+      if (left-- == 0) return FlipResult::GivenUp;
       flip(edge / 3, edge % 3);
     }
-    return stuck_.empty() ? hullRegular() : (allRegular() && hullRegular());
+    if (stuck_ && !allRegular()) return FlipResult::GivenUp;
+    return hullRegular() ? FlipResult::Regular : FlipResult::Hidden;
   }
 
  private:
@@ -69,6 +71,13 @@ class Flipping {
   [[nodiscard]] int mirror(int f, int g) const {
     const std::array<int, 3>& neighbour = t_.neighbours[at(g)];
     return neighbour[0] == f ? 0 : neighbour[1] == f ? 1 : 2;
+  }
+
+  // Whether an end of that edge, which is not regular, has three neighbours only: i, d and the other end.
+  [[nodiscard]] bool hidden(int f, int k) const {
+    const int g = t_.neighbours[at(f)][at(k)], m = mirror(f, g);
+    const std::array<int, 3>&around = t_.neighbours[at(f)], &beyond = t_.neighbours[at(g)];
+    return around[at((k + 2) % 3)] == beyond[at((m + 1) % 3)] || around[at((k + 1) % 3)] == beyond[at((m + 2) % 3)];
   }
 
   // (i, a, b) and (d, b, a) become (i, a, d) and (d, b, i).
@@ -117,13 +126,13 @@ class Flipping {
   const Points2& y_;
   const Heights& h_;
   RegularConnectivity& t_;
-  std::vector<int> open_, stuck_;
-  bool convex_ = false;
+  std::vector<int> open_;
+  bool convex_ = false, stuck_ = false;
 };
 
 }  // namespace
 
-bool flipToRegular(const Points2& sites, const Heights& heights, RegularConnectivity& triangulation) {
+FlipResult flipToRegular(const Points2& sites, const Heights& heights, RegularConnectivity& triangulation) {
   return Flipping(sites, heights, triangulation).run();
 }
 

@@ -7,6 +7,13 @@
 
 namespace authalic {
 
+/// How the flips ended.
+enum class FlipResult {
+  Regular,  ///< regular for the new heights
+  Hidden,   ///< certainly not of all sites: one lies above the plane of its only three neighbours
+  GivenUp,  ///< stuck, or there would be too many
+};
+
 /// Flips edges until the triangulation is regular for new heights: the lower hull of (y_i, −h_i) @cite
 /// edelsbrunner1996.
 ///
@@ -14,8 +21,8 @@ namespace authalic {
 /// more than rounding in extended precision. Edges left within rounding of regular move no side of a cell by more
 /// than rounding.
 /// @param triangulation  dimension 2, of all sites; afterwards still a triangulation of all of them
-/// @return false when it could not be made regular: a site is hidden, flips are stuck, or there would be too many
 /// Complexity: O(n + flips).
-[[nodiscard]] bool flipToRegular(const Points2& sites, const Heights& heights, RegularConnectivity& triangulation);
+[[nodiscard]] FlipResult flipToRegular(const Points2& sites, const Heights& heights,
+                                       RegularConnectivity& triangulation);
 
 }  // namespace authalic

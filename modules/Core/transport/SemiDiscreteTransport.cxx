@@ -16,7 +16,7 @@ constexpr double kOnBoundary = 1e-12;
 class PlanarCells final : public TransportCells {
  public:
   PlanarCells(PowerDiagram& diagram, const Execution& execution) : diagram_(diagram), execution_(execution) {}
-  void compute(const Heights& heights) override { diagram_.compute(heights, execution_); }
+  bool compute(const Heights& heights) override { return diagram_.computeUnlessHidden(heights, execution_); }
   const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
     const Points2& y = diagram_.sites();

@@ -12,11 +12,11 @@ constexpr double kSphere = 4 * 3.14159265358979323846;
 class SphericalCells final : public TransportCells {
  public:
   SphericalCells(SphericalPowerDiagram& diagram, const Execution& execution)
-      : diagram_(diagram), execution_(execution), none_(Eigen::VectorXd::Zero(diagram.sites().rows())) {}
-  void compute(const Heights& heights) override { diagram_.compute(heights, execution_); }
-  const Eigen::VectorXd& areas() const override {
-    return diagram_.cells().surrounded ? diagram_.cells().areas : none_;  // a step too far has no cells
+      : diagram_(diagram), execution_(execution) {}
+  bool compute(const Heights& heights) override {
+    return diagram_.compute(heights, execution_).surrounded;  // a step too far has no cells
   }
+  const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
     for (const SphericalPowerEdge& edge : diagram_.cells().edges) {
       entries.emplace_back(edge.second, edge.first, edge.rate);
@@ -26,7 +26,6 @@ class SphericalCells final : public TransportCells {
  private:
   SphericalPowerDiagram& diagram_;
   const Execution& execution_;
-  Eigen::VectorXd none_;
 };
 
 }  // namespace
