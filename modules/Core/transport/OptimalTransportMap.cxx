@@ -9,6 +9,7 @@
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricMap.h"
+#include "Core/transport/DistinctSites.h"
 
 namespace authalic {
 namespace {
@@ -109,6 +110,7 @@ OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen:
   for (Eigen::Index i = 0; i < result.sites.rows(); ++i) {
     result.sites.row(i) = nearestInDomain(result.sites.row(i), options.domain);
   }
+  requireDistinctImages(result.sites);
   result.startSeconds = secondsSince(begun);
   PowerDiagram diagram(result.sites, options.domain);
   result.masses = options.domain.area() * shares;

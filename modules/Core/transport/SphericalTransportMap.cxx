@@ -8,6 +8,7 @@
 #include "Core/base/Error.h"
 #include "Core/conformal/SphericalConformalMap.h"
 #include "Core/geometry/SphericalAreas.h"
+#include "Core/transport/DistinctSites.h"
 
 namespace authalic {
 namespace {
@@ -45,12 +46,14 @@ SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, cons
   SphericalTransportMapResult result;
   if (initial.size() > 0) {
     requireRows(initial.rows(), sphere, "An initial map with one point");
+    requireOnUnitSphere(initial);
     result.sites = initial;
   } else {
     SphericalConformalMapOptions conformal;
     conformal.solver = options.solver;
     result.sites = sphericalConformalMap(sphere, conformal, execution.part(0, 0.2)).image;
   }
+  requireDistinctImages(result.sites);
   result.startSeconds = secondsSince(begun);
   SphericalPowerDiagram diagram(std::move(result.sites));
   result.sites = diagram.sites();
