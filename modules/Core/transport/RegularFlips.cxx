@@ -1,13 +1,14 @@
 #include "Core/transport/RegularFlips.h"
 
 #include <cmath>
+#include <limits>
 
 namespace authalic {
 namespace {
 
 using Real = long double;
 
-constexpr Real kRounding = 1e-18L;     // a few units in the last place of 64 bits
+constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
 constexpr std::size_t kMostFlips = 3;  // per site; a new triangulation is faster then
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
