@@ -14,8 +14,8 @@ enum class FlipResult {
   GivenUp,  ///< stuck, or there would be too many
 };
 
-/// Flips edges until the triangulation is regular for new heights: the lower hull of (y_i, −h_i) @cite
-/// edelsbrunner1996.
+/// Flips edges until the triangulation is regular for new heights: the lower hull of (y_i, −h_i)
+/// @cite edelsbrunner1996.
 ///
 /// An edge is flipped when its quadrilateral is convex and the opposite vertex lies below the plane of the face by
 /// more than rounding in extended precision. Edges left within rounding of regular move no side of a cell by more
