@@ -57,6 +57,8 @@ void sayWarning(const std::string& sentence) {
   std::fprintf(stderr, "authalic: warning: %s\n", oneLine(sentence).c_str());
 }
 
+void sayNote(const std::string& sentence) { sayError(sentence); }
+
 ProgressBar::ProgressBar(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {

@@ -37,6 +37,8 @@ void prepareConsole();
 /// "authalic: sentence" on stderr, line breaks made spaces.
 void sayError(const std::string& sentence);
 void sayWarning(const std::string& sentence);
+/// "authalic: sentence" on stderr: what went well.
+void sayNote(const std::string& sentence);
 
 /// A bar on stderr, shown only when stderr is a terminal and `quiet` is off; erased when it goes.
 class ProgressBar {

@@ -30,7 +30,9 @@ class LieFlowFamily : public MapFamily {
              "residual sqrt(sum m (r - 1)^2) of vertex stars (default: " + shown(defaults_->GetTolerance()) + ")"},
             {"--max-iterations",
              "steps of the flow (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
-            {"--hole-areas", "--domain circle-domain and annulus"}};
+            {"--hole-areas", "--domain circle-domain and annulus"},
+            {"--finish", "after the flow, on the input's connectivity: " + oneOf(finishes) + " areas (default: " +
+                             finishes[static_cast<std::size_t>(defaults_->GetFinish())] + ")"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -42,10 +44,6 @@ class LieFlowFamily : public MapFamily {
                          "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
         ->type_name("X")
         ->default_str(shown(defaults_->GetFixedStep()));
-    own(verb->add_option("--finish", finish_,
-                         "After the flow, on the input's connectivity: " + oneOf(finishes) + " areas."))
-        ->type_name("HOW")
-        ->default_str(finishes[static_cast<std::size_t>(defaults_->GetFinish())]);
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
@@ -75,14 +73,13 @@ class LieFlowFamily : public MapFamily {
     if (shared.maxIterations) flow->SetMaximumIterations(*shared.maxIterations);
     if (fixedStep_) flow->SetFixedStep(*fixedStep_);
     if (stepRatio_) flow->SetStepRatio(*stepRatio_);
-    if (finish_) flow->SetFinish(choice("--finish", *finish_, finishes));
+    if (shared.finish) flow->SetFinish(choice("--finish", *shared.finish, finishes));
     setInitial(flow, vtkDiscreteLieFlow::SafeDownCast(flow), shared, initials, session);
     return flow;
   }
 
   vtkNew<vtkDiscreteLieFlow> defaults_;
   std::optional<double> fixedStep_, stepRatio_;
-  std::optional<std::string> finish_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace authalic::cli {
 
 /// Options that several families know.
 struct SharedMapOptions {
-  std::optional<std::string> domain, initial;
+  std::optional<std::string> domain, initial, finish;
   std::optional<double> tolerance;
   std::optional<int> maxIterations;
   bool noUnfold = false;
@@ -38,8 +38,8 @@ class MapFamily {
   [[nodiscard]] virtual std::vector<std::string> methods() const = 0;
   /// What they do, for which surfaces, to which domains: a paragraph of the help page.
   [[nodiscard]] virtual std::string description() const = 0;
-  /// What those of "--initial", "--tolerance", "--max-iterations", "--no-unfold" and "--hole-areas" that the methods
-  /// take mean to them, with the default.
+  /// What those of "--initial", "--tolerance", "--max-iterations", "--finish", "--no-unfold" and "--hole-areas" mean
+  /// that the methods take, with the default.
   [[nodiscard]] virtual std::map<std::string, std::string> sharedOptions() const { return {}; }
   /// Declare the family's own options through own().
   virtual void declare(CLI::App*) {}
@@ -51,6 +51,10 @@ class MapFamily {
 
   /// Adds arrays that options name as files to the surface, and names them to the filter.
   virtual void addArrays(vtkSurfaceMapAlgorithm*, vtkSmartPointer<vtkPolyData>&, const Session&) const {}
+  /// Further files that the family's options name, to be written.
+  [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
+  /// Writes them, and says what a user of the method looks for, after the filter has run.
+  virtual void conclude(vtkSurfaceMapAlgorithm*, const Session&) const {}
 
   /// Options declared by this family, whether given or not.
   [[nodiscard]] const std::vector<CLI::Option*>& ownOptions() const noexcept { return own_; }
@@ -73,6 +77,7 @@ class MapFamily {
 [[nodiscard]] std::unique_ptr<MapFamily> leastSquaresConformalFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> symmetricDirichletFamily();
 [[nodiscard]] std::unique_ptr<MapFamily> sphereFamily();
+[[nodiscard]] std::unique_ptr<MapFamily> transportFamily();
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<MapFamily>> makeFamilies() {
   std::vector<std::unique_ptr<MapFamily>> families;
   families.push_back(barycentricFamily());
   families.push_back(authalicFamily());
+  families.push_back(transportFamily());
   families.push_back(lieFlowFamily());
   families.push_back(lieAdvectionFamily());
   families.push_back(stretchEnergyFamily());
@@ -69,6 +70,7 @@ VerbHelp mapHelp(const MapOptions& o) {
                      "Zou, Hu, Gu, Hua 2011, authalic parameterization of general surfaces using Lie advection",
                      "Tutte 1963; Pinkall and Polthier 1993; Floater 2003",
                      "Yoshizawa, Belyaev, Seidel 2004 (stretch); Yueh, Lin, Wu, Yau 2019 (stretch-energy)",
+                     "Gu et al. 2016; Su et al. 2016; Kitagawa et al. 2019 (optimal transport)",
                      "Gu et al. 2004; Haker et al. 2000; Kazhdan et al. 2012; Nadeem et al. 2017 (spheres)"};
   return help;
 }
@@ -117,7 +119,9 @@ void runMap(const MapOptions& o, const Session& session) {
   const MapFamily& family = familyOf(o);
   refuseForeignOptions(o, family);
   requireArrayFormat("--output", o.output);
-  requireWritable({o.output, o.report});
+  std::vector<std::string> files = family.files();
+  files.insert(files.end(), {o.output, o.report});
+  requireWritable(files);
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.shared.space);
   const vtkSmartPointer<vtkSurfaceMapAlgorithm> filter = family.filter(o.method, o.shared, session);
   family.addArrays(filter, surface, session);
@@ -128,6 +132,7 @@ void runMap(const MapOptions& o, const Session& session) {
   sayRegions(filter->GetOutput(), session);
   writeSurface(o.output, filter->GetOutput());
   if (!o.report.empty()) writeText(o.report, filter->GetReport());
+  family.conclude(filter, session);
   if (code != NotConverged || o.allowNonconverged) return;
   throw Failure(NotConverged, "The map did not reach the tolerance; the best one is in " + o.output +
                                   " (--allow-nonconverged accepts it).");
@@ -169,6 +174,7 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--tolerance", o.shared.tolerance, meanings(o, "--tolerance"))->type_name("X"),
       verb->add_option("--max-iterations", o.shared.maxIterations, meanings(o, "--max-iterations"))
           ->type_name("N")->check(notNegative()),
+      verb->add_option("--finish", o.shared.finish, meanings(o, "--finish"))->type_name("HOW"),
       verb->add_flag("--no-unfold", o.shared.noUnfold,
                      "Leave folded faces as they are. " + meanings(o, "--no-unfold")),
       verb->add_option("--hole-areas", o.shared.holeAreas,

@@ -212,6 +212,36 @@ class Results(CommandLine):
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                                   "--hole-areas", 1, 2))
 
+    def test_transport_gives_cells_and_its_finish_says_both_costs(self):
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
+        bare = self.run_verb("map", "transport", disk, "-o", "t.vtp", "--cells", "c.vtp", "--report", "t.json")
+        if "CGAL" in bare.stderr:
+            self.skipTest(bare.stderr)
+        self.assertEqual(bare.returncode, 0, bare.stderr)
+        self.assertTrue((self.here / "c.vtp").exists())
+        report = json.loads((self.here / "t.json").read_text())
+        self.assertLess(report["transport_residual"], 1e-9)
+        self.assertEqual(report["empty_cells"], 0)
+        self.assertEqual(report["flips"] > 0, "folded" in bare.stderr)
+        finished = self.run_verb("map", "transport", disk, "-o", "f.vtp", "--finish", "authalic", "--report", "f.json")
+        report = json.loads((self.here / "f.json").read_text())
+        self.assertEqual((report["status"], report["flips"]), ("converged", 0))
+        self.assertIn("before the finish", finished.stderr)
+        self.assertGreater(report["finished_cost"], report["displacement_cost"])
+        (self.here / "arrow.txt").write_text("0 0\n2 1\n0 2\n1 1\n")
+        self.assertIn("convex", self.fails(2, "map", "transport", disk, "-o", "t.vtp", "--domain", "polygon:arrow.txt"))
+        self.assertIn("--finish must be", self.fails(2, "map", "transport", disk, "-o", "t.vtp", "--finish", "match"))
+
+    def test_transport_takes_closed_surfaces_to_the_sphere(self):
+        ball = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        self.succeeds("map", "transport", ball, "-o", "s.vtp", "--domain", "sphere", "--cells", "c.vtp", "--report",
+                      "s.json")
+        report = json.loads((self.here / "s.json").read_text())
+        self.assertEqual((report["method"], report["status"], report["empty_cells"]), ("transport", "converged", 0))
+        self.assertLess(report["transport_residual"], 1e-9)
+        self.assertIn("is not for --domain sphere", self.fails(2, "map", "transport", ball, "-o", "n.vtp", "--domain",
+                                                               "sphere", "--initial", "riemann"))
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]
@@ -223,7 +253,7 @@ class Results(CommandLine):
     def test_maps_and_reports_are_the_same_in_two_runs_and_at_any_thread_count(self):
         fixtures = pathlib.Path(ARGUMENTS.fixtures)
         surfaces = {"bumpy_disk.off": ("tutte", "harmonic", "mean-value", "lie-flow", "lie-advection", "authalic",
-                                       "stretch", "stretch-energy",
+                                       "transport", "stretch", "stretch-energy",
                                        "riemann", "yamabe", "lscm", "slim"),
                     "bent_tube.off": ("annulus", "circle-domain"), "folded_sphere.off": ("sphere", "welding")}
         for disk, method in ((fixtures / name, method) for name, methods in surfaces.items() for method in methods):

@@ -109,6 +109,8 @@ CASES = {
     "vtkSphericalLieFlow": Case((ball,), wrong=(0, disk)),
     "vtkCircleDomainLieFlow": Case((tube,), wrong=(0, ball), adders={"AddHoleArea": (150.0,)}),
     "vtkSphericalLieAdvection": Case((ball,), {"NumberOfSteps": 5}, wrong=(0, disk)),
+    "vtkOptimalTransportMap": Case((disk,), wrong=(0, ball), adders=CORNER),
+    "vtkSphericalTransportMap": Case((ball,), wrong=(0, disk)),
     "vtkAuthalicMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalAuthalicMap": Case((ball,), wrong=(0, disk)),
     "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),

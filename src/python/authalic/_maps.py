@@ -35,6 +35,8 @@ METHODS: dict[str, Method] = {
     "authalic-torus": Method("vtkToroidalAuthalicMap", surface="torus"),
     "authalic-flat-cones": Method("vtkFlatConeAuthalicMap", surface="flat-cones"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
+    "transport": Method("vtkOptimalTransportMap"),
+    "transport-sphere": Method("vtkSphericalTransportMap", surface="sphere"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-flow-sphere": Method("vtkSphericalLieFlow", surface="sphere"),
     "lie-flow-holes": Method("vtkCircleDomainLieFlow", surface="annulus"),
@@ -124,8 +126,7 @@ def flatten(points: Any,
             max_iterations: Optional[int] = None,
             *,
             roi: Any = None, roi_blend: float = 0.0, balance: Any = None,
-            hole_areas: Any = None,
-            threads: int = 0,
+            hole_areas: Any = None, threads: int = 0,
             progress: Progress = None,
             on_not_converged: str = "warn",
             **options: Any) -> SurfaceMap:
@@ -137,6 +138,7 @@ def flatten(points: Any,
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1,
                 "authalic-flat-cones" for genus 2 or more;
                 "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
+                "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
                 "tutte", "harmonic", "mean-value": barycentric maps;
@@ -156,8 +158,8 @@ def flatten(points: Any,
     roi_blend   width over which the density passes across the borders of the regions, mm
     balance     of "authalic" to the disk and "authalic-sphere": 1 = areas, 0 = angles, or between; one number, one per
                 vertex (n), or the name of a point array
-    initial     where an iteration starts: a barycentric method by name, or an image (n, 2) or SurfaceMap to the
-                same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
+    initial     where an iteration starts: a barycentric method by name (or "riemann"), or an image (n, 2) or SurfaceMap
+                to the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
     hole_areas  of "authalic-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2, in the order of the

@@ -1,0 +1,79 @@
+#include "Core/transport/SemiDiscreteTransport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "Core/base/Error.h"
+#include "Core/transport/DampedNewton.h"
+
+namespace authalic {
+namespace {
+
+constexpr double kOnBoundary = 1e-12;
+
+// What DampedNewton asks of a diagram, for sites in the plane.
+class PlanarCells final : public TransportCells {
+ public:
+  PlanarCells(PowerDiagram& diagram, const Execution& execution) : diagram_(diagram), execution_(execution) {}
+  bool compute(const Heights& heights) override { return diagram_.computeUnlessHidden(heights, execution_); }
+  const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
+  void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
+    const Points2& y = diagram_.sites();
+    for (const PowerEdge& edge : diagram_.cells().edges) {
+      entries.emplace_back(edge.second, edge.first, edge.length / (y.row(edge.first) - y.row(edge.second)).norm());
+    }
+  }
+
+ private:
+  PowerDiagram& diagram_;
+  const Execution& execution_;
+};
+
+}  // namespace
+
+void SemiDiscreteTransportOptions::validate() const {
+  if (!(tolerance > 0)) {
+    throw InvalidArgument("A tolerance above 0 is required for transport, but it is " +
+                          std::to_string(tolerance) + ".");
+  }
+  if (maxIterations < 0) {
+    throw InvalidArgument("A number of iterations of at least 0 is required for transport, but it is " +
+                          std::to_string(maxIterations) + ".");
+  }
+  if (!SparseSolver::available(solver)) {
+    throw InvalidArgument("A solver that is part of this build is required, but " +
+                          std::string(solverBackendName(solver)) + " was not built in.");
+  }
+}
+
+Heights startHeights(const Points2& sites, const PlanarDomain& domain) {
+  const Points2& corner = domain.corners();
+  Eigen::RowVector2d middle = Eigen::RowVector2d::Zero();
+  if (!domain.isDisk()) middle = corner.colwise().mean();
+  double room = 1;
+  bool inside = domain.isDisk() && sites.rowwise().squaredNorm().maxCoeff() <= 1 + kOnBoundary;
+  for (Eigen::Index k = 0; k < corner.rows(); ++k) {
+    const Eigen::RowVector2d a = corner.row(k), along = (corner.row((k + 1) % corner.rows()) - a).normalized();
+    const Eigen::RowVector2d inwards(-along[1], along[0]);
+    const double reach = ((sites.rowwise() - a) * inwards.transpose()).minCoeff();
+    inside = (k == 0 || inside) && reach >= -kOnBoundary;
+    room = k == 0 ? (middle - a).dot(inwards) : std::min(room, (middle - a).dot(inwards));
+  }
+  if (inside) return (-0.5 * sites.rowwise().squaredNorm()).cast<long double>();
+  const Eigen::RowVector2d centre = sites.colwise().mean();
+  const double radius = std::sqrt((sites.rowwise() - centre).rowwise().squaredNorm().maxCoeff());
+  const double scale = radius > 0 ? 0.9 * room / radius : 1.0;
+  const Points2 moved = (scale * (sites.rowwise() - centre)).rowwise() + middle;
+  return (-0.5 / scale * moved.rowwise().squaredNorm()).cast<long double>();
+}
+
+TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::VectorXd& masses,
+                                        const SemiDiscreteTransportOptions& options, const Heights& start,
+                                        const Execution& execution) {
+  PlanarCells cells(diagram, execution);
+  return dampedNewton(cells, diagram.sites().rows(), masses, diagram.domain().area(), options,
+                      start.size() > 0 ? start : startHeights(diagram.sites(), diagram.domain()), execution);
+}
+
+}  // namespace authalic

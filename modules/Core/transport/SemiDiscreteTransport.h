@@ -1,0 +1,66 @@
+/// @file
+/// Optimal transport of the uniform measure of a planar domain to point masses.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "Core/base/Execution.h"
+#include "Core/base/Status.h"
+#include "Core/numerics/SparseSolver.h"
+#include "Core/transport/PowerDiagram.h"
+
+namespace authalic {
+
+struct SemiDiscreteTransportOptions {
+  double tolerance = 1e-9;  ///< of max |w_i − ν_i| / mean ν, > 0
+  int maxIterations = 100;  ///< Newton steps, ≥ 0
+  SolverBackend solver = SolverBackend::Automatic;
+
+  /// @throws InvalidArgument naming the field that is outside its range.
+  void validate() const;
+};
+
+/// One Newton step.
+struct TransportIteration {
+  double residual = 0;      ///< max |w_i − ν_i| / mean ν before the step
+  double step = 0;          ///< part α of the Newton step that was taken
+  double smallestCell = 0;  ///< smallest cell after the step / mean ν
+};
+
+/// How a transport was found, whatever the domain.
+struct TransportSolution {
+  Status status = Status::NotRun;  ///< Converged: residual within the tolerance; Stalled: no step was possible
+  int iterations = 0;
+  double residual = 0;       ///< max |w_i − ν_i| / mean ν
+  Heights heights;           ///< n
+  std::vector<TransportIteration> history;
+};
+
+/// Heights h such that the cell of site i has the area ν_i: the map x ↦ y_i on W_i then has the least transport cost
+/// Σ_i ∫_{W_i} |x − y_i|² of all maps of that measure @cite gu2016.
+///
+/// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
+/// ∂w_i/∂h_j = −|e_ij| / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a step
+/// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν) and |w − ν| falls to (1 −
+/// α/2) of itself, else halved; the next one tried is four times longer, 1 at most. Converges from every start
+/// without empty cells, at the end quadratically.
+///
+/// @param diagram  its sites and domain; holds the cells of the result afterwards
+/// @param masses   ν, n, > 0, with the sum of the domain's area (to 1e-6; scaled to it exactly)
+/// @param start    n heights without empty cells, or empty for startHeights
+/// Guarantees: no cell of any iterate is empty; when not converged, the best iterate with its residual.
+/// Complexity: a power diagram and a sparse factorisation of size n per step, O(n^1.5).
+/// @throws InvalidArgument from options; GeometryError when a mass is not positive or their sum differs from the
+///         area, or the start has empty cells; SolverError when a system cannot be factorised
+[[nodiscard]] TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::VectorXd& masses,
+                                                      const SemiDiscreteTransportOptions& options = {},
+                                                      const Heights& start = {},
+                                                      const Execution& execution = {});
+
+/// Heights without empty cells: Voronoi's, −|y_i|² / 2, when all sites lie in the domain; else those of the sites
+/// moved and scaled into it, which have the same cells.
+[[nodiscard]] Heights startHeights(const Points2& sites, const PlanarDomain& domain);
+
+}  // namespace authalic

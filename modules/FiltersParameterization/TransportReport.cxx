@@ -1,0 +1,66 @@
+#include "TransportReport.h"
+
+#include <algorithm>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include "Conversion.h"
+#include "FieldArrays.h"
+
+namespace authalic {
+
+MapReport describeTransport(const TransportSolution& result, const TransportCosts& costs, vtkPolyData* map) {
+  MapReport report;
+  report.method = "transport";
+  report.status = result.status;
+  report.iterations = result.iterations;
+  double smallest = 1;
+  for (const TransportIteration& step : result.history) {
+    report.residuals.push_back(step.residual);
+    smallest = std::min(smallest, step.smallestCell);
+  }
+  report.residuals.push_back(result.residual);
+  report.more.set("transport_residual", result.residual);
+  report.more.set("transport_cost", costs.transport);
+  report.more.set("displacement_cost", costs.displacement);
+  report.more.set("empty_cells", costs.emptyCells);
+  report.more.set("smallest_cell", smallest);
+  addField(map, "TransportResidual", result.residual);
+  addField(map, "TransportCost", costs.transport);
+  addField(map, "DisplacementCost", costs.displacement);
+  addField(map, "EmptyCells", costs.emptyCells);
+  return report;
+}
+
+void describeFinish(const AuthalicSolution& finished, const FinishCosts& costs, MapReport& report, vtkPolyData* map) {
+  if (report.status == Status::Converged) report.status = finished.status;
+  report.seconds.emplace_back("finish", finished.startSeconds + finished.faceSeconds + finished.vertexSeconds);
+  report.more.set("finished_cost", costs.displacement);
+  report.more.set("flipped_before_finish", costs.flippedBefore);
+  report.more.set("finish_iterations", finished.iterations);
+  addField(map, "FinishedCost", costs.displacement);
+  addField(map, "FlippedBeforeFinish", costs.flippedBefore);
+}
+
+void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int>& starts,
+              const Eigen::VectorXd& areas) {
+  setPoints(output, corners);
+  vtkNew<vtkCellArray> polygons;
+  std::vector<int> sites;
+  std::vector<double> drawn;
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+    if (starts[i + 1] - starts[i] < 3) continue;
+    polygons->InsertNextCell(starts[i + 1] - starts[i]);
+    for (int k = starts[i]; k < starts[i + 1]; ++k) polygons->InsertCellPoint(k);
+    sites.push_back(static_cast<int>(i));
+    drawn.push_back(areas[static_cast<Eigen::Index>(i)]);
+  }
+  output->SetPolys(polygons);
+  addIds(output->GetCellData(), "SiteIds", sites);
+  addArray(output->GetCellData(), "Area", drawn);
+}
+
+}  // namespace authalic

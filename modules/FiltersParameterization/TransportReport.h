@@ -1,0 +1,38 @@
+/// @file
+/// What the maps by optimal transport report. Private to FiltersParameterization/.
+#pragma once
+
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/transport/SemiDiscreteTransport.h"
+#include "Reports/MapReport.h"
+
+class vtkPolyData;
+
+namespace authalic {
+
+/// What the cells cost.
+struct TransportCosts {
+  double transport = 0;     ///< Σ ∫ over cells
+  double displacement = 0;  ///< Σ ν_i |x_i − y_i|² of the centroids
+  int emptyCells = 0;
+};
+
+/// Method, status, iterations, residuals, and what the cells cost: as members of the report and as field data of the
+/// map (TransportResidual, TransportCost, DisplacementCost, EmptyCells).
+[[nodiscard]] MapReport describeTransport(const TransportSolution& result, const TransportCosts& costs,
+                                          vtkPolyData* map);
+
+/// What the exact solve made of the map: its displacement cost, and the folds that there were.
+struct FinishCosts {
+  double displacement = 0;
+  int flippedBefore = 0;
+};
+
+/// Adds them (FinishedCost, FlippedBeforeFinish), and the status of the finish when the transport converged.
+void describeFinish(const AuthalicSolution& finished, const FinishCosts& costs, MapReport& report, vtkPolyData* map);
+
+/// Cells as polygons, in the order of the sites, with SiteIds and Area.
+void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int>& starts,
+              const Eigen::VectorXd& areas);
+
+}  // namespace authalic

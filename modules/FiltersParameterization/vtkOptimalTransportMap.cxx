@@ -1,0 +1,132 @@
+#include "vtkOptimalTransportMap.h"
+
+#include <optional>
+#include <utility>
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "Conversion.h"
+#include "Core/authalic/AuthalicMap.h"
+#include "Core/base/Error.h"
+#include "Core/conformal/RiemannMap.h"
+#include "Core/transport/OptimalTransportMap.h"
+#include "FieldArrays.h"
+#include "MapArrays.h"
+#include "TransportReport.h"
+
+vtkStandardNewMacro(vtkOptimalTransportMap);
+
+namespace {
+
+authalic::Points3 lifted(const authalic::Points2& points) {
+  authalic::Points3 result = authalic::Points3::Zero(points.rows(), 3);
+  result.leftCols(2) = points;
+  return result;
+}
+
+authalic::Points2 riemannImage(const authalic::DiskMesh& disk, int domain, const authalic::Execution& execution) {
+  if (domain != vtkOptimalTransportMap::DISK) {
+    throw authalic::InvalidArgument(
+        "The domain disk is required for sites from the Riemann map; take the harmonic map.");
+  }
+  authalic::RiemannMapResult riemann = authalic::riemannMap(disk, {}, execution);
+  if (riemann.status == authalic::Status::Cancelled) throw authalic::CancelledError();
+  return std::move(riemann.image);
+}
+
+void addMapArrays(vtkPolyData* map, const authalic::OptimalTransportMapResult& result) {
+  authalic::addArray(map->GetPointData(), "Site", lifted(result.sites));
+  authalic::addArray(map->GetPointData(), "CellArea", result.cellAreas);
+  authalic::addArray(map->GetPointData(), "Potential", result.potential);
+}
+
+void fillCells(vtkPolyData* cells, const authalic::OptimalTransportMapResult& result) {
+  authalic::setCells(cells, lifted(result.cells.corners), result.cells.starts, result.cellAreas);
+  const std::vector<int>& starts = result.cells.starts;
+  const Eigen::VectorXd heights = result.heights.cast<double>();
+  Eigen::VectorXd potential(result.cells.corners.rows());
+  for (Eigen::Index i = 0; i < heights.size(); ++i) {
+    const int begin = starts[static_cast<std::size_t>(i)], end = starts[static_cast<std::size_t>(i) + 1];
+    for (int k = begin; k < end; ++k) potential[k] = result.cells.corners.row(k).dot(result.sites.row(i)) + heights[i];
+  }
+  authalic::addArray(cells->GetPointData(), "Potential", potential);
+}
+
+}  // namespace
+
+vtkOptimalTransportMap::vtkOptimalTransportMap() {
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  const authalic::OptimalTransportMapOptions defaults;
+  this->Tolerance = defaults.tolerance;
+  this->MaximumIterations = defaults.maxIterations;
+}
+
+int vtkOptimalTransportMap::FillInputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+authalic::Json vtkOptimalTransportMap::DescribeAllOptions(bool initialMapGiven) const {
+  authalic::Json options = this->DescribeOptions();
+  options.set("initial", initialMapGiven ? "given" : this->InitialMethod == RIEMANN ? "riemann" : "harmonic");
+  options.set("tolerance", this->Tolerance);
+  options.set("max_iterations", this->MaximumIterations);
+  options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
+  return options;
+}
+
+void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
+                                     const authalic::Execution& execution) {
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  authalic::OptimalTransportMapOptions options;
+  options.domain = this->MakeDomain();
+  options.tolerance = this->Tolerance;
+  options.maxIterations = this->MaximumIterations;
+  options.validate();
+  const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
+  authalic::Points2 initial;  // empty: Core starts from the harmonic map
+  if (given) initial = authalic::toPlanarPoints(given);
+  else if (this->InitialMethod == RIEMANN) initial = riemannImage(disk, this->Domain, execution.part(0, 0.1));
+  const double share = this->Finish == AUTHALIC ? 0.4 : 1.0;  // of the progress
+  const authalic::OptimalTransportMapResult result = authalic::optimalTransportMap(
+      disk, target.vertices(), options, initial, execution.part(0.1, share));
+  std::optional<authalic::AuthalicMapResult> finished;
+  if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
+    authalic::AuthalicMapOptions exact;
+    exact.domain = options.domain;
+    finished = authalic::authalicMap(disk, target, exact, result.image, execution.part(share, 1));
+  }
+  const authalic::Points2& image = finished ? finished->image : result.image;
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.faces());
+  const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
+  authalic::MapReport report =
+      authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
+  report.seconds = {{"start", result.startSeconds}, {"transport", result.transportSeconds}};
+  if (finished) {
+    const double cost = authalic::displacementCost(result.masses, result.sites, image);
+    authalic::describeFinish(*finished, {cost, result.flippedFaces}, report, output);
+  }
+  report.metrics = distortion.summary;
+  report.topology = authalic::inspect(disk.mesh(), disk.topology());
+  report.options = this->DescribeAllOptions(given != nullptr);
+  addMapArrays(output, result);
+  fillCells(vtkPolyData::GetData(outputs, 1), result);
+  this->Publish(output, report);
+}
+
+void vtkOptimalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InitialMethod: " << this->InitialMethod << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Finish: " << this->Finish << "\n";
+}

@@ -1,0 +1,84 @@
+#include "vtkSphericalTransportMap.h"
+
+#include <optional>
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include "Conversion.h"
+#include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/transport/SphericalTransportMap.h"
+#include "FieldArrays.h"
+#include "MapArrays.h"
+#include "TransportReport.h"
+
+vtkStandardNewMacro(vtkSphericalTransportMap);
+
+vtkSphericalTransportMap::vtkSphericalTransportMap() {
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+  const authalic::SemiDiscreteTransportOptions defaults;
+  this->Tolerance = defaults.tolerance;
+  this->MaximumIterations = defaults.maxIterations;
+}
+
+int vtkSphericalTransportMap::FillInputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
+                                       const authalic::Execution& execution) {
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  authalic::SemiDiscreteTransportOptions options;
+  options.tolerance = this->Tolerance;
+  options.maxIterations = this->MaximumIterations;
+  options.validate();
+  const authalic::SphereMesh sphere(authalic::toTriangleMesh(input));
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, sphere.mesh(), this->MeasureArrayName);
+  const double share = this->Finish == AUTHALIC ? 0.5 : 1.0;  // of the progress
+  const authalic::SphericalTransportMapResult result = authalic::sphericalTransportMap(
+      sphere, target.vertices(), options, given ? authalic::toPoints(given) : authalic::Points3(),
+      execution.part(0, share));
+  std::optional<authalic::SphericalAuthalicMapResult> finished;
+  if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
+    finished = authalic::sphericalAuthalicMap(sphere, target, {}, result.image, execution.part(share, 1));
+  }
+  const authalic::Points3& image = finished ? finished->image : result.image;
+  const authalic::SphericalDistortion distortion =
+      authalic::fillMap(input, output, sphere.mesh(), image, target.faces());
+  const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
+  authalic::MapReport report =
+      authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
+  report.seconds = {{"start", result.startSeconds}, {"transport", result.transportSeconds}};
+  if (finished) {
+    const double cost = authalic::displacementCost(result.masses, result.sites, image);
+    authalic::describeFinish(*finished, {cost, result.flippedFaces}, report, output);
+  }
+  report.metrics = distortion.summary;
+  report.topology = authalic::inspect(sphere.mesh(), sphere.topology());
+  report.options.set("domain", "sphere");
+  report.options.set("measure", this->MeasureArrayName);
+  report.options.set("initial", given ? "given" : "conformal");
+  report.options.set("tolerance", this->Tolerance);
+  report.options.set("max_iterations", this->MaximumIterations);
+  report.options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
+  authalic::addArray(output->GetPointData(), "Site", result.sites);
+  authalic::addArray(output->GetPointData(), "CellArea", result.cellAreas);
+  authalic::addArray(output->GetPointData(), "Potential", result.potential);
+  authalic::setCells(vtkPolyData::GetData(outputs, 1), result.cells.corners, result.cells.starts, result.cellAreas);
+  this->Publish(output, report);
+}
+
+void vtkSphericalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Finish: " << this->Finish << "\n";
+}

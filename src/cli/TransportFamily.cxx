@@ -1,0 +1,96 @@
+#include <vtkNew.h>
+#include <vtkOptimalTransportMap.h>
+#include <vtkPolyData.h>
+#include <vtkSphericalTransportMap.h>
+
+#include "MapFamily.h"
+
+namespace authalic::cli {
+namespace {
+
+const std::vector<std::string> initials = {"harmonic", "riemann"};
+const std::vector<std::string> finishes = {"none", "authalic"};
+
+class TransportFamily : public MapFamily {
+ public:
+  std::vector<std::string> methods() const override { return {"transport"}; }
+
+  std::string description() const override {
+    return "transport: area-preserving, or to a measure of yours (--measure), by optimal transport: the power cell of "
+           "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
+           "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
+           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere.";
+  }
+
+  std::map<std::string, std::string> sharedOptions() const override {
+    return {{"--initial", oneOf(initials) +
+                              " (riemann: to the disk), or a MAP.vtp to the same domain; the conformal map "
+                              "for a sphere (default: " +
+                              initials[static_cast<std::size_t>(defaults_->GetInitialMethod())] + ")"},
+            {"--tolerance",
+             "largest error of a cell / mean cell (default: " + shown(defaults_->GetTolerance()) + ")"},
+            {"--max-iterations",
+             "Newton steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
+            {"--finish", oneOf(finishes) + " (default: " +
+                             finishes[static_cast<std::size_t>(defaults_->GetFinish())] + ")"}};
+  }
+
+  void declare(CLI::App* verb) override {
+    own(verb->add_option("--cells", cells_, "The power cells: a polygon per vertex, with Area and Potential."))
+        ->type_name("CELLS.vtp");
+  }
+
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
+                                                 const Session& session) const override {
+    if (!cells_.empty()) requireArrayFormat("--cells", cells_);
+    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), shared, session);
+    const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
+    setDiskDomain(map, shared.domain);
+    return configured(map, shared, session);
+  }
+
+  std::vector<std::string> files() const override { return {cells_}; }
+
+  void conclude(vtkSurfaceMapAlgorithm* map, const Session& session) const override {
+    if (!cells_.empty()) writeSurface(cells_, vtkPolyData::SafeDownCast(map->GetOutputDataObject(1)));
+    if (session.quiet) return;
+    const auto number = [map](const char* field) { return numberField(map->GetOutput(), field); };
+    const auto text = [&](const char* field) { return shown(number(field).value_or(0)); };
+    if (number("FinishedCost")) {
+      sayNote("Transport cost " + text("TransportCost") + "; vertices moved for " + text("DisplacementCost") +
+              " before the finish, with " + text("FlippedBeforeFinish") + " folded faces, and for " +
+              text("FinishedCost") + " after it.");
+    } else if (map->GetFlippedFaces() > 0) {
+      sayNote("Transport cost " + text("TransportCost") + "; " + text("FlippedFaces") +
+              " faces are folded, --finish authalic unfolds them.");
+    }
+  }
+
+ private:
+  template <class Filter>
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
+                                     const Session& session) const {
+    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
+    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
+    if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));
+    if (!shared.initial) return map;
+    if (isFile(*shared.initial)) {
+      map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
+    } else if (auto* disk = vtkOptimalTransportMap::SafeDownCast(map)) {
+      disk->SetInitialMethod(choice("--initial", *shared.initial, initials));
+    } else {
+      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain sphere; leave it out, the "
+                                  "start is the conformal map.");
+    }
+    return map;
+  }
+
+  vtkNew<vtkOptimalTransportMap> defaults_;
+  std::string cells_;
+};
+
+}  // namespace
+
+std::unique_ptr<MapFamily> transportFamily() { return std::make_unique<TransportFamily>(); }
+
+}  // namespace authalic::cli

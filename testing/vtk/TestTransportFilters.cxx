@@ -1,0 +1,166 @@
+/// The filters of optimal transport against Core on the same input, with their arrays and refusals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkOptimalTransportMap.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSphericalTransportMap.h>
+
+#include "Conversion.h"
+#include "Core/authalic/TargetMeasure.h"
+#include "Core/geometry/Areas.h"
+#include "Core/transport/OptimalTransportMap.h"
+#include "Core/transport/SphericalTransportMap.h"
+#include "support/TestMeshes.h"
+
+namespace {
+
+using namespace authalic;
+using authalic::testing::bumpyDisk;
+using authalic::testing::sphereMesh;
+using authalic::testing::wavySphere;
+
+class TransportFilters : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!PowerDiagram::available()) GTEST_SKIP() << "CGAL was not built in";
+  }
+};
+
+vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  setMesh(result, mesh);
+  return result;
+}
+
+double field(vtkDataObject* object, const char* name) {
+  vtkDataArray* array = object->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, 0) : std::nan("");
+}
+
+double drawnArea(vtkPolyData* cells, int cell) {
+  vtkPoints* points = cells->GetCell(cell)->GetPoints();
+  Points2 corners(points->GetNumberOfPoints(), 2);
+  for (Eigen::Index k = 0; k < corners.rows(); ++k) corners.row(k) << points->GetPoint(k)[0], points->GetPoint(k)[1];
+  return polygonArea(corners);
+}
+
+}  // namespace
+
+TEST_F(TransportFilters, GiveTheImageAndTheCellsOfCore) {
+  const DiskMesh disk(bumpyDisk(10));
+  const OptimalTransportMapResult core = optimalTransportMap(disk, TargetMeasure(disk.mesh()).vertices());
+  vtkNew<vtkOptimalTransportMap> filter;
+  filter->SetInputData(0, polyData(disk.mesh()));
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput(0);
+  EXPECT_EQ(toPlanarPoints(map), core.image);
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::NONE);
+  EXPECT_EQ(field(map, "TransportCost"), core.transportCost);
+  EXPECT_LE(field(map, "TransportResidual"), 1e-9);
+  EXPECT_EQ(field(map, "EmptyCells"), 0);
+  for (const char* name : {"Site", "CellArea", "Potential"}) EXPECT_TRUE(map->GetPointData()->HasArray(name)) << name;
+  vtkPolyData* cells = filter->GetOutput(1);
+  ASSERT_EQ(cells->GetNumberOfPolys(), disk.mesh().vertexCount());
+  EXPECT_EQ(cells->GetPointData()->GetArray("Potential")->GetNumberOfTuples(), cells->GetNumberOfPoints());
+  vtkDataArray* exact = cells->GetCellData()->GetArray("Area");
+  vtkDataArray* ids = cells->GetCellData()->GetArray("SiteIds");
+  for (int i = 0; i < disk.mesh().vertexCount(); ++i) {
+    EXPECT_EQ(ids->GetComponent(i, 0), i);
+    EXPECT_EQ(exact->GetComponent(i, 0), core.cellAreas[i]);
+    EXPECT_NEAR(drawnArea(cells, i), core.cellAreas[i], 1e-5);
+  }
+}
+
+TEST_F(TransportFilters, RemoveFoldsAndErrorsOfFacesWhenAskedTo) {
+  vtkNew<vtkOptimalTransportMap> filter;
+  filter->SetInputData(0, polyData(bumpyDisk(14, 1.5)));
+  filter->Update();
+  const double bare = filter->GetTotalAreaDistortion(), moved = field(filter->GetOutput(), "DisplacementCost");
+  EXPECT_TRUE(std::isnan(field(filter->GetOutput(), "FinishedCost")));
+  filter->SetFinishToAuthalic();
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+  EXPECT_LT(filter->GetTotalAreaDistortion(), bare);
+  EXPECT_LT(filter->GetTotalAreaDistortion(), 2.0002);
+  EXPECT_EQ(field(filter->GetOutput(), "DisplacementCost"), moved);
+  EXPECT_GT(field(filter->GetOutput(), "FinishedCost"), moved);
+}
+
+TEST_F(TransportFilters, TakeTheirSitesFromAGivenMapOrTheRiemannMap) {
+  const vtkSmartPointer<vtkPolyData> surface = polyData(bumpyDisk(10));
+  vtkNew<vtkOptimalTransportMap> first, second;
+  first->SetInputData(0, surface);
+  first->SetInitialMethodToRiemann();
+  first->Update();
+  EXPECT_EQ(first->GetStatus(), "converged");
+  vtkNew<vtkPolyData> sites;
+  sites->CopyStructure(surface);
+  vtkNew<vtkPoints> points;
+  points->SetData(first->GetOutput()->GetPointData()->GetArray("Site"));
+  sites->SetPoints(points);
+  second->SetInputData(0, surface);
+  second->SetInputData(1, sites);
+  second->Update();
+  EXPECT_LT((toPlanarPoints(first->GetOutput()) - toPlanarPoints(second->GetOutput())).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(TransportFilters, SayWhatTheyCannotDo) {
+  const vtkSmartPointer<vtkPolyData> surface = polyData(bumpyDisk(6));
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkOptimalTransportMap> filter;
+  filter->SetInputData(0, surface);
+  filter->SetTolerance(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::ARGUMENT);
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints() + filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  filter->SetTolerance(1e-9);
+  filter->SetDomainToSquare();
+  filter->SetInitialMethodToRiemann();
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::ARGUMENT);
+  filter->SetInitialMethodToHarmonic();
+  filter->SetMaximumIterations(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::NOT_CONVERGED);
+  EXPECT_EQ(filter->GetStatus(), "not-converged");
+  filter->SetInputData(0, polyData(sphereMesh(2)));
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::SURFACE);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
+  const SphereMesh sphere(wavySphere(3));
+  const SphericalTransportMapResult core = sphericalTransportMap(sphere, TargetMeasure(sphere.mesh()).vertices());
+  vtkNew<vtkSphericalTransportMap> filter;
+  filter->SetInputData(0, polyData(sphere.mesh()));
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPoints(filter->GetOutput()), core.image);
+  EXPECT_EQ(field(filter->GetOutput(), "TransportCost"), core.transportCost);
+  vtkPolyData* cells = filter->GetOutput(1);
+  ASSERT_EQ(cells->GetNumberOfPolys(), sphere.mesh().vertexCount());
+  for (int i = 0; i < sphere.mesh().vertexCount(); ++i) {
+    EXPECT_EQ(cells->GetCellData()->GetArray("Area")->GetComponent(i, 0), core.cellAreas[i]);
+  }
+  filter->SetFinishToAuthalic();
+  filter->Update();
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+  EXPECT_LT(filter->GetTotalAreaDistortion(), 2.001);
+  EXPECT_GT(field(filter->GetOutput(), "FinishedCost"), 0);
+  vtkObject::GlobalWarningDisplayOff();
+  filter->SetInputData(0, polyData(bumpyDisk(4)));
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::SURFACE);
+  vtkObject::GlobalWarningDisplayOn();
+}
