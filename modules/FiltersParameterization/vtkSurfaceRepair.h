@@ -64,7 +64,7 @@ public:
   ///@}
 
   ///@{
-  /** Boundary loops up to this length are filled, mm; 0 = none, negative = up to a tenth of the square root of the area.
+  /** Boundary loops up to this length are filled, mm; 0 = none, negative = a tenth of the square root of the area.
    * Default: SurfaceRepairOptions. */
   vtkSetMacro(LargestHole, double);
   vtkGetMacro(LargestHole, double);

@@ -11,8 +11,8 @@
 namespace authalic {
 
 /// Members, in this order: version, status, rounds, changed, changes (per kind that occurred: count and `first`, a list
-/// of ids of the input, place_mm, and length_mm or area_mm2 where the kind has one), remaining, topology (of the result)
-/// and options. Lists are cut after `mostChanges` entries, that of handles is not; the counts are of all.
+/// of ids of the input, place_mm, and length_mm or area_mm2 where the kind has one), remaining, topology (of the
+/// result) and options. Lists are cut after `mostChanges` entries, that of handles is not; the counts are of all.
 [[nodiscard]] Json repairReport(const SurfaceRepair& repair, const SurfaceRepairOptions& options,
                                 std::size_t mostChanges = 100);
 
