@@ -66,7 +66,9 @@ void vtkSurfaceRepair::Compute(vtkInformationVector** inputs, vtkInformationVect
   this->Report = authalic::repairReport(repair, options).text();
   if (repair.status == authalic::Status::NotConverged) this->ErrorKind = NOT_CONVERGED;
   const std::string remaining = repair.remaining();
-  if (!remaining.empty()) vtkWarningMacro(<< "The repaired surface still has " << remaining << ".");
+  if (remaining.empty()) return;
+  const char* help = repair.after.components.size() > 1 ? "; StrayShare 1 keeps the largest component only" : "";
+  vtkWarningMacro(<< "The repaired surface still has " << remaining << help << ".");
 }
 
 void vtkSurfaceRepair::PrintSelf(ostream& os, vtkIndent indent) {

@@ -1,6 +1,5 @@
 #include "Reports/RepairReport.h"
 
-#include <cmath>
 #include <locale>
 #include <sstream>
 
@@ -54,11 +53,7 @@ std::string placeText(const RepairChange& change) {
   text.precision(4);
   const char* name = sizeName(change.kind);
   if (name) text << change.size << (std::string(name) == "length_mm" ? " mm " : " mm^2 ");
-  text.precision(8);
-  text << "at (";
-  for (int k = 0; k < 3; ++k) text << (k ? ", " : "") << std::round(100 * change.place[k]) / 100;
-  text << ") mm";
-  return text.str();
+  return text.str() + "at " + placeWords(change.place);
 }
 
 }  // namespace

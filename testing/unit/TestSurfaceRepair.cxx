@@ -166,8 +166,37 @@ TEST(SurfaceRepair, SewsASoupOfTrianglesToTheSurfaceItWas) {
   expectKeptPromises(soup);
   SurfaceRepairOptions open;
   open.sewSeams = false;
-  EXPECT_FALSE(repaired(soup, open).changed());
-  EXPECT_EQ(repaired(soup, open).remaining(), std::to_string(sphere.faceCount()) + " components");
+  EXPECT_THROW((void)repaired(soup, open), TopologyError);
+}
+
+TEST(SurfaceRepair, RefusesTrianglesThatDoNotMeet) {
+  const TriangleMesh sphere = sphereMesh(1);
+  Soup soup;
+  for (int f = 0; f < sphere.faceCount(); ++f) {
+    for (int k = 0; k < 3; ++k) soup.points.emplace_back((1 + 0.01 * f) * sphere.corner(f, k).transpose());
+    soup.faces.emplace_back(3 * f, 3 * f + 1, 3 * f + 2);
+  }
+  try {
+    (void)repaired(soup);
+    FAIL() << "not refused";
+  } catch (const TopologyError& error) {
+    EXPECT_NE(std::string(error.what()).find("32 of 32 triangles share no edge"), std::string::npos) << error.what();
+  }
+  soup.add(sphereMesh(2), {9, 0, 0});  // more area than half meets
+  soup.add(sphereMesh(2), {18, 0, 0});
+  EXPECT_EQ(repaired(soup).count(RepairKind::StrayComponent), sphere.faceCount());
+}
+
+TEST(SurfaceRepair, LeavesVerticesAloneThatOnlyTouchAnEdge) {
+  Soup soup;  // a second triangle stands on the edge of the first with one corner
+  soup.points = {{0, 0, 0}, {3, 0, 0}, {1.5, 2, 0}, {1, 0, 0}, {2, -2, 0}, {0, -2, 0}};
+  soup.faces = {{0, 1, 2}, {3, 5, 4}};
+  soup.add(gridMesh(2, 2), {0, 10, 0});
+  soup.add(gridMesh(2, 2), {0, 20, 0});
+  for (auto& p : soup.points) p[1] *= p[1] > 5 ? 5 : 1;
+  SurfaceRepairOptions options;
+  options.strayShare = 0;
+  EXPECT_FALSE(repaired(soup, options).changed());
 }
 
 TEST(SurfaceRepair, SplitsFacesAtTJunctions) {

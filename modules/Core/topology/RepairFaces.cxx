@@ -101,6 +101,25 @@ class BoundaryVertices {
   std::vector<std::pair<double, int>> sorted_;
 };
 
+/// Edges of a boundary by the names of their ends.
+using NamedEdges = std::set<std::pair<int, int>>;
+
+/// Of vertices on an edge between `ends`, in order, those that have a boundary edge to another of them or to an end: the
+/// others only touch the edge.
+std::vector<int> joining(const std::vector<std::pair<double, int>>& found, std::pair<int, int> ends,
+                         const NamedEdges& edges, std::map<int, int>& names) {
+  std::vector<int> all{ends.first, ends.second}, kept;
+  for (const auto& entry : found) all.push_back(entry.second);
+  for (const auto& [t, v] : found) {
+    const int name = names[v];
+    const bool joins = std::any_of(all.begin(), all.end(), [&](int w) {
+      return names[w] != name && edges.count(std::minmax({name, names[w]})) > 0;
+    });
+    if (joins) kept.push_back(v);
+  }
+  return kept;
+}
+
 /// Takes one degenerate face after the other away, by collapses and flips around it.
 class Degenerate {
  public:
@@ -266,15 +285,22 @@ void sewSeams(RepairedFaces& surface) {
   }
 }
 
-void splitAtJunctions(RepairedFaces& surface, double tolerance) {
+void splitAtJunctions(RepairedFaces& surface, double tolerance, bool byPlace) {
   const std::vector<int> boundary = boundaryHalfEdges(surface);
+  std::map<int, int> names = byPlace ? placesOf(surface, boundary) : std::map<int, int>();
+  NamedEdges edges;
+  for (const int h : boundary) {
+    const int a = tail(surface, h), b = head(surface, h);
+    if (!byPlace) names[a] = a, names[b] = b;
+    edges.insert(std::minmax({names[a], names[b]}));
+  }
   const BoundaryVertices vertices(surface, boundary);
   std::map<int, std::pair<int, std::vector<int>>> splits;  // face → corner, vertices in order
   for (const int h : boundary) {
     if (splits.count(h / 3) > 0) continue;  // its other edges: next round
-    std::vector<int> found;
-    for (const auto& entry : vertices.on(h, tolerance)) found.push_back(entry.second);
-    if (!found.empty()) splits[h / 3] = {h % 3, found};
+    const auto found = vertices.on(h, tolerance);
+    const auto kept = joining(found, {tail(surface, h), head(surface, h)}, edges, names);
+    if (!kept.empty()) splits[h / 3] = {h % 3, kept};
   }
   for (const auto& [f, split] : splits) {
     const RepairedFace face = surface.faces[at(f)];

@@ -165,10 +165,8 @@ class Orientation {
   [[nodiscard]] int tail(int h) const { return surface_.faces[at(h / 3)].v[at(h % 3)]; }
   [[noreturn]] void refuse(int h) const {
     const Eigen::Vector3d place = surface_.centre(surface_.faces[at(h / 3)]);
-    const auto number = [](double x) { return std::to_string(std::round(100 * x) / 100).substr(0, 8); };
-    throw TopologyError("A two-sided surface is required, but this one is one-sided (a Möbius band closes near (" +
-                        number(place[0]) + ", " + number(place[1]) + ", " + number(place[2]) +
-                        ") mm); cut it open there before it is repaired.");
+    throw TopologyError("A two-sided surface is required, but this one is one-sided (a Möbius band closes near " +
+                        placeWords(place) + "); cut it open there before it is repaired.");
   }
 
   const RepairedFaces& surface_;
@@ -206,6 +204,29 @@ double areaOf(const RepairedFaces& surface, const std::vector<int>& component) {
 }
 
 }  // namespace
+
+void requireSheets(const RepairedFaces& surface) {
+  std::vector<char> joined(surface.faces.size(), 0);
+  for (const EdgeFaces& edge : edgesOf(surface.faces)) {
+    if (edge.halfEdges.size() < 2) continue;
+    for (const int h : edge.halfEdges) joined[at(h / 3)] = 1;
+  }
+  double lone = 0, all = 0;
+  std::size_t count = 0, first = 0;
+  for (std::size_t f = 0; f < joined.size(); ++f) {
+    const double area = surface.area(surface.faces[f]);
+    all += area;
+    if (joined[f]) continue;
+    lone += area;
+    if (count++ == 0) first = f;
+  }
+  if (joined.size() < 2 || !(lone > 0.5 * all)) return;
+  throw TopologyError("A surface of triangles that meet along edges is required, but " + std::to_string(count) +
+                      " of " + std::to_string(joined.size()) + " triangles share no edge with another, the first at " +
+                      placeWords(surface.centre(surface.faces[first])) +
+                      "; vertices that are meant to be one must have the same coordinates, or the surface has to be "
+                      "reconstructed.");
+}
 
 void separateSheets(RepairedFaces& surface) {
   const std::vector<EdgeFaces> edges = edgesOf(surface.faces);

@@ -62,7 +62,10 @@ class DisjointSets {
 void removeRepeatedVertices(RepairedFaces& surface);
 void removeDuplicates(RepairedFaces& surface);
 void sewSeams(RepairedFaces& surface);
-void splitAtJunctions(RepairedFaces& surface, double tolerance);
+/// `byPlace`: edges whose ends have the same coordinates count as one.
+void splitAtJunctions(RepairedFaces& surface, double tolerance, bool byPlace);
+/// @throws TopologyError when triangles that share no edge with another have more than half of the area
+void requireSheets(const RepairedFaces& surface);
 void separateSheets(RepairedFaces& surface);
 void removeStrays(RepairedFaces& surface, double share);
 /// @throws TopologyError when a component is one-sided

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 #include "Core/base/Error.h"
@@ -73,10 +75,12 @@ void runPass(RepairedFaces& surface, const SurfaceRepairOptions& options, const 
   requireFaces(surface);
   removeDuplicates(surface);
   if (options.sewSeams) sewSeams(surface);
-  splitAtJunctions(surface, options.junctionTolerance);
+  splitAtJunctions(surface, options.junctionTolerance, options.sewSeams);
+  if (options.sewSeams) sewSeams(surface);
   removeRepeatedVertices(surface);
   removeDuplicates(surface);
   requireFaces(surface);
+  requireSheets(surface);
   separateSheets(surface);
   removeStrays(surface, options.strayShare);
   orient(surface);
@@ -124,6 +128,14 @@ const char* repairKindName(RepairKind kind) noexcept { return kWords[static_cast
 std::string repairKindWords(RepairKind kind, int count) {
   const KindWords& words = kWords[static_cast<int>(kind)];
   return std::to_string(count) + " " + (count == 1 ? words.one : words.many);
+}
+
+std::string placeWords(const Eigen::Vector3d& place) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(5);
+  for (int k = 0; k < 3; ++k) text << (k == 0 ? "(" : ", ") << std::round(1e6 * place[k]) / 1e6 + 0.0;
+  return text.str() + ") mm";
 }
 
 void SurfaceRepairOptions::validate() const {

@@ -34,6 +34,8 @@ inline constexpr int kRepairKinds = 12;
 [[nodiscard]] const char* repairKindName(RepairKind kind) noexcept;
 /// "3 handles cut and capped": a kind in words.
 [[nodiscard]] std::string repairKindWords(RepairKind kind, int count);
+/// "(110.3, 167.1, 503.01) mm": a place in words, to five digits.
+[[nodiscard]] std::string placeWords(const Eigen::Vector3d& place);
 
 /// One change.
 struct RepairChange {
@@ -48,8 +50,8 @@ struct SurfaceRepairOptions {
   /// Whether boundary edges with the same end points (bit for bit) are joined. Off: a surface that was cut open stays
   /// open.
   bool sewSeams = true;
-  /// A boundary vertex is a T-junction when it is closer to a boundary edge than this fraction of the edge's length;
-  /// in [0, 0.1]. 0 = only exactly on it.
+  /// A boundary vertex is a T-junction when it is closer to a boundary edge than this fraction of the edge's length and
+  /// a boundary edge leads from it along that edge; in [0, 0.1]. 0 = only exactly on it.
   double junctionTolerance = 1e-4;
   /// Components with less than this fraction of the largest component's area are strays; in [0, 1]. 0 = keep all.
   double strayShare = 0.1;
@@ -102,8 +104,8 @@ struct SurfaceRepair {
 /// @param points  n×3, mm; may be NaN where no face uses them
 /// @param faces   m×3; may repeat a vertex
 /// @throws InvalidArgument for bad options; GeometryError for indices out of range, coordinates that are not finite and
-///         when no face is left; TopologyError when the surface is one-sided or could not be made a manifold;
-///         CancelledError
+///         when no face is left; TopologyError when most triangles meet no other, when the surface is one-sided or could
+///         not be made a manifold; CancelledError
 [[nodiscard]] SurfaceRepair repairSurface(const Points3& points, const Faces& faces,
                                           const SurfaceRepairOptions& options = {}, const Execution& execution = {});
 
