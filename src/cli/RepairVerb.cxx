@@ -47,7 +47,8 @@ void sayChanges(const std::string& summary, bool dryRun) {
   for (std::string line; std::getline(lines, line);) {
     std::fprintf(stderr, "authalic: %s%s\n", dryRun ? "would be: " : "", line.c_str());
   }
-  if (summary.empty()) std::fprintf(stderr, "authalic: nothing to repair: points and triangles stay as they are, bit for bit\n");
+  if (summary.empty())
+    std::fprintf(stderr, "authalic: nothing to repair: points and triangles stay as they are, bit for bit\n");
 }
 
 int runRepair(const RepairOptions& o, const Session& session) {

@@ -104,8 +104,8 @@ class BoundaryVertices {
 /// Edges of a boundary by the names of their ends.
 using NamedEdges = std::set<std::pair<int, int>>;
 
-/// Of vertices on an edge between `ends`, in order, those that have a boundary edge to another of them or to an end: the
-/// others only touch the edge.
+/// Of vertices on an edge between `ends`, in order, those that have a boundary edge to another of them or to an
+/// end: the others only touch the edge.
 std::vector<int> joining(const std::vector<std::pair<double, int>>& found, std::pair<int, int> ends,
                          const NamedEdges& edges, std::map<int, int>& names) {
   std::vector<int> all{ends.first, ends.second}, kept;

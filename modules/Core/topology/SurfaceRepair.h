@@ -50,8 +50,8 @@ struct SurfaceRepairOptions {
   /// Whether boundary edges with the same end points (bit for bit) are joined. Off: a surface that was cut open stays
   /// open.
   bool sewSeams = true;
-  /// A boundary vertex is a T-junction when it is closer to a boundary edge than this fraction of the edge's length and
-  /// a boundary edge leads from it along that edge; in [0, 0.1]. 0 = only exactly on it.
+  /// A boundary vertex is a T-junction when it is closer to a boundary edge than this fraction of the edge's length
+  /// and a boundary edge leads from it along that edge; in [0, 0.1]. 0 = only exactly on it.
   double junctionTolerance = 1e-4;
   /// Components with less than this fraction of the largest component's area are strays; in [0, 1]. 0 = keep all.
   double strayShare = 0.1;
@@ -86,10 +86,10 @@ struct SurfaceRepair {
 ///
 /// Handles are found by the shortest loop of edges that does not separate the surface (boundary loops capped), see
 /// shortestHandleLoop(); the surface is cut along it, and both sides get a cap, so each cut lowers the genus by one.
-/// Which of the two ways round a handle that is (through it or around it) is a matter of length, not of anatomy. Holes
-/// and cuts are closed by the triangulation of least weight @cite barequet1995 with the weight
-/// (a² + b² + c²)/(4√3) ≥ area of a triangle, without edges that the surface has already; where there is none, by a fan
-/// around the mean of the loop.
+/// Which of the two ways round a handle that is (through it or around it) is a matter of length, not of anatomy.
+/// Holes and cuts are closed by the triangulation of least weight @cite barequet1995 with the weight
+/// (a² + b² + c²)/(4√3) ≥ area of a triangle, without edges that the surface has already; where there is none, by a
+/// fan around the mean of the loop.
 ///
 /// Guarantees: the result is an oriented manifold without isolated vertices, duplicate faces and, within the options,
 /// strays, holes and handles; every change is listed; points are those of the input, bit for bit, but for centres of
@@ -103,8 +103,9 @@ struct SurfaceRepair {
 ///
 /// @param points  n×3, mm; may be NaN where no face uses them
 /// @param faces   m×3; may repeat a vertex
-/// @throws InvalidArgument for bad options; GeometryError for indices out of range, coordinates that are not finite and
-///         when no face is left; TopologyError when most triangles meet no other, when the surface is one-sided or could
+/// @throws InvalidArgument for bad options; GeometryError for indices out of range, coordinates that are not finite
+/// and
+///    when no face is left; TopologyError when most triangles meet no other, when the surface is one-sided or could
 ///         not be made a manifold; CancelledError
 [[nodiscard]] SurfaceRepair repairSurface(const Points3& points, const Faces& faces,
                                           const SurfaceRepairOptions& options = {}, const Execution& execution = {});
