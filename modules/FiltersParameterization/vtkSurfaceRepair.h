@@ -4,11 +4,12 @@
  *
  * In rounds, until a round changes nothing: isolated vertices, degenerate and duplicate faces, seams of coincident
  * boundary edges, T-junctions, non-manifold edges and vertices, stray components, flipped faces, small holes, and
- * handles (cut along their shortest loop and capped). A clean surface comes back unchanged. What cannot be repaired (a
- * one-sided surface, coordinates that are not finite) is an error that says why. What is left that some maps refuse
- * (several components, handles above LargestHandle) is a warning.
+ * handles (cut along their shortest loop and capped). A clean surface comes back unchanged. What cannot be repaired
+ * (a one-sided surface, triangles that do not meet, coordinates that are not finite) is an error that says why.
+ * What is left that some maps refuse (several components, handles above LargestHandle) is a warning.
  *
- * Points never move; the two caps of a handle lie on each other. See barequet1995, erickson2005 in docs/references.bib.
+ * Points never move; the two caps of a handle lie on each other. See barequet1995, erickson2005 in
+ * docs/references.bib.
  *
  * | port | what |
  * |---|---|
