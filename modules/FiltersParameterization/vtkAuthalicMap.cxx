@@ -88,7 +88,7 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   }
   const authalic::AuthalicMapResult result =
       authalic::authalicMap(disk, wanted, options, initial, execution.part(0.1, 1));
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());

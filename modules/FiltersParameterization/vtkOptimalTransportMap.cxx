@@ -106,7 +106,7 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
     finished = authalic::authalicMap(disk, target, exact, result.image, execution.part(share, 1));
   }
   const authalic::Points2& image = finished ? finished->image : result.image;
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.shares());
   const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
   authalic::MapReport report =
       authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);

@@ -61,7 +61,7 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   const authalic::SphericalAuthalicMapResult result = authalic::sphericalAuthalicMap(
       sphere, wanted, options, initial, execution.part(balance.whole() ? 0 : 0.3, 1));
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());

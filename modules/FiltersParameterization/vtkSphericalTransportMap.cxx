@@ -52,7 +52,7 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   }
   const authalic::Points3& image = finished ? finished->image : result.image;
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), image, target.shares());
   const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
   authalic::MapReport report =
       authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
