@@ -37,6 +37,8 @@ METHODS: dict[str, Method] = {
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "transport": Method("vtkOptimalTransportMap"),
     "transport-sphere": Method("vtkSphericalTransportMap", surface="sphere"),
+    "balanced": Method("vtkOptimalTransportMap", {"initial_method": "riemann", "finish": "authalic", "balance": 0.5}),
+    "balanced-sphere": Method("vtkSphericalTransportMap", {"finish": "authalic", "balance": 0.5}, surface="sphere"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-flow-sphere": Method("vtkSphericalLieFlow", surface="sphere"),
     "lie-flow-holes": Method("vtkCircleDomainLieFlow", surface="annulus"),
@@ -141,6 +143,7 @@ def flatten(points: Any,
                 "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
+                "balanced", "balanced-sphere": the same between angles and areas, see `balance` (0.5);
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
                 "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
@@ -156,8 +159,8 @@ def flatten(points: Any,
                 (all but 0); (array, value) or (array, name of a label); ("sphere", x, y, z, radius) in mm, or
                 ("geodesic", x, y, z, radius). report["regions"] has the shares
     roi_blend   width over which the density passes across the borders of the regions, mm
-    balance     of "authalic" to the disk and "authalic-sphere": 1 = areas, 0 = angles, or between; one number, one per
-                vertex (n), or the name of a point array
+    balance     of "authalic", "transport", "balanced" to disk and sphere: 1 = areas, 0 = angles, or between; one
+                number, one per vertex (n), or the name of a point array
     initial     where an iteration starts: a barycentric method by name (or "riemann"), or an image (n, 2) or SurfaceMap
                 to the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
@@ -266,7 +269,7 @@ def _set_balance(algorithm, method, mesh, balance):
     if balance is None:
         return
     if not hasattr(algorithm, "SetBalanceArrayName"):
-        raise InvalidArgument(f"Method {method} has no balance; it is for authalic to the disk and to the sphere.")
+        raise InvalidArgument(f"Method {method} has no balance; it is for authalic, transport and balanced maps to the disk and to the sphere.")
     if isinstance(balance, str):
         return algorithm.SetBalanceArrayName(balance)
     if np.ndim(balance) == 0:
