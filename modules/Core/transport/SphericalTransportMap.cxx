@@ -39,7 +39,7 @@ double displacementCost(const Eigen::VectorXd& masses, const Points3& sites, con
 
 SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, const Eigen::VectorXd& shares,
                                                   const SemiDiscreteTransportOptions& options, const Points3& initial,
-                                                  const Execution& execution) {
+                                                  const Execution& execution, const Heights& start) {
   options.validate();
   requireRows(shares.size(), sphere, "One share");
   const auto begun = std::chrono::steady_clock::now();
@@ -59,7 +59,7 @@ SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, cons
   result.sites = diagram.sites();
   result.masses = kSphere * shares;
   static_cast<TransportSolution&>(result) =
-      sphericalTransport(diagram, result.masses, options, {}, execution.part(0.2, 0.95));
+      sphericalTransport(diagram, result.masses, options, start, execution.part(0.2, 0.95));
   const SphericalPowerCells& cells = diagram.cells();
   result.image = cells.centroids;
   result.cellAreas = cells.areas;

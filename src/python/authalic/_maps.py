@@ -1,11 +1,12 @@
-"""Maps of surfaces: one function over every map filter, and the metrics of a map."""
+"""Maps of surfaces: one function over every map filter, the metrics of a map, and the curve of balanced maps."""
 import dataclasses
 import json
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
 from . import _arrays, _classes, _filters
+from ._elements import Table, table_of
 from ._errors import InvalidArgument, NotConverged, NotConvergedWarning
 from ._surfaces import Progress, Surface, to_polydata
 
@@ -181,8 +182,7 @@ def flatten(points: Any,
     >>> map = authalic.flatten(disk)
     >>> map.image.shape, map.status, map.metrics["flipped_faces"]
     """
-    if on_not_converged not in ("warn", "raise", "ignore"):
-        raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
+    _check_policy(on_not_converged)
     method, domain = _method_and_domain(method, domain)
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
@@ -199,6 +199,11 @@ def flatten(points: Any,
     return _judged(SurfaceMap.from_filter(algorithm), kind, doubts, on_not_converged)
 
 
+def _check_policy(on_not_converged):
+    if on_not_converged not in ("warn", "raise", "ignore"):
+        raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
+
+
 def _method_and_domain(method, domain):
     """The method, and the domain its filter is to be told; "sphere", "torus", "flat-cones" are methods of their own."""
     if method not in METHODS:
@@ -209,7 +214,7 @@ def _method_and_domain(method, domain):
 
 
 def _judged(result, kind, doubts, on_not_converged):
-    """The result, after what its filter doubted was said to the caller of flatten()."""
+    """The result, after what its filter doubted was said to the caller of the function that calls this."""
     if kind == _filters.NOT_CONVERGED:
         sentence = doubts.pop()
         if on_not_converged == "raise":
@@ -269,7 +274,8 @@ def _set_balance(algorithm, method, mesh, balance):
     if balance is None:
         return
     if not hasattr(algorithm, "SetBalanceArrayName"):
-        raise InvalidArgument(f"Method {method} has no balance; it is for authalic, transport and balanced maps to the disk and to the sphere.")
+        raise InvalidArgument(f"Method {method} has no balance; it is for authalic, transport and balanced maps to the "
+                              "disk and to the sphere.")
     if isinstance(balance, str):
         return algorithm.SetBalanceArrayName(balance)
     if np.ndim(balance) == 0:
@@ -396,3 +402,62 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
     return Distortion(json.loads(algorithm.GetReport()), cells,
                       {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]},
                       {name: values for name, values in done.fields.items() if name.endswith("Histogram")})
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class BalanceCurve:
+    """What angles cost areas on one surface.
+
+    table    {column: (k,) array}, a row per balance: balance, angle_distortion, area_distortion (ideal 2),
+             angle_error_mean_degrees, flipped_faces; the same four with transport_ in front, before the finish; status
+    status   "converged" when every row is
+    report   options, seconds (conformal, maps: one per row, total), version, and what every column means
+    """
+    table: Table
+    status: str
+    report: dict[str, Any]
+
+    def __repr__(self) -> str:
+        return f"BalanceCurve({self.status}, {len(self.table['balance'])} balances)"
+
+
+def balance_curve(points: Any,
+                  faces: Any = None,
+                  balances: Optional[Sequence[float]] = None,
+                  measure: Any = None,
+                  *,
+                  roi: Any = None, roi_blend: float = 0.0,
+                  threads: int = 0,
+                  progress: Progress = None,
+                  on_not_converged: str = "warn") -> BalanceCurve:
+    """Maps a surface with several balances, and says what each does to angles and areas.
+
+    The maps are those of flatten(..., method="balanced", balance=t), to tolerances that are enough to choose t by.
+
+    points, faces  a disk or a closed surface of genus 0, as for flatten()
+    balances       each from 0 (conformal) to 1 (area-preserving), best in order; None = 0, 0.1 ... 1
+    measure, roi, roi_blend  the measure at balance 1, as for flatten()
+    threads, progress, on_not_converged  as for flatten()
+
+    Raises SurfaceError, InvalidArgument, SolverError, Cancelled, NotConverged (with the curve as .result).
+
+    >>> curve = authalic.balance_curve(surface)
+    >>> curve.table["balance"], curve.table["angle_distortion"], curve.table["area_distortion"]
+    """
+    _check_policy(on_not_converged)
+    algorithm = _classes.vtkBalanceCurve()
+    mesh = to_polydata(points, faces)
+    if balances is not None:
+        values = _arrays.numbers(balances, "balances", (None,))
+        if not len(values):
+            raise InvalidArgument("At least one balance is required; leave balances out for 0, 0.1 ... 1.")
+        for balance in values:
+            algorithm.AddBalance(balance)
+    _set_measure(algorithm, "balanced", mesh, measure)
+    mesh = _with_regions(algorithm, "balanced", mesh, roi, roi_blend)
+    _filters.configure(algorithm, threads=threads)
+    algorithm.SetInputData(mesh)
+    kind, doubts = _filters.run(algorithm, progress)
+    report = json.loads(algorithm.GetReport())
+    curve = BalanceCurve(table_of(algorithm.GetOutput()), report["status"], report)
+    return _judged(curve, kind, doubts, on_not_converged)
