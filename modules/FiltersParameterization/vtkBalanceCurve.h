@@ -38,6 +38,7 @@ namespace authalic
 {
 struct BalanceCurve;
 struct BalanceCurveOptions;
+class Execution;
 }
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkBalanceCurve : public vtkTableAlgorithm

@@ -1,11 +1,16 @@
 /// Maps between conformal and area-preserving, and the curve of their distortions, on disk and sphere.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <utility>
+#include <vector>
+
 #include "Core/authalic/BalanceCurve.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/RiemannMap.h"
 #include "Core/conformal/SphericalConformalMap.h"
+#include "Core/distortion/SphericalDistortion.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/transport/OptimalTransportMap.h"

@@ -14,7 +14,11 @@ class SphericalCells final : public TransportCells {
   SphericalCells(SphericalPowerDiagram& diagram, const Execution& execution)
       : diagram_(diagram), execution_(execution) {}
   bool compute(const Heights& heights) override {
-    return diagram_.compute(heights, execution_).surrounded;  // a step too far has no cells
+    if (computed_.size() != heights.size() || !(computed_.array() == heights.array()).all()) {
+      (void)diagram_.compute(heights, execution_);
+      computed_ = heights;
+    }
+    return diagram_.cells().surrounded;  // a step too far has no cells
   }
   const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
@@ -26,6 +30,7 @@ class SphericalCells final : public TransportCells {
  private:
   SphericalPowerDiagram& diagram_;
   const Execution& execution_;
+  Heights computed_;
 };
 
 }  // namespace
@@ -34,12 +39,12 @@ TransportSolution sphericalTransport(SphericalPowerDiagram& diagram, const Eigen
                                      const SemiDiscreteTransportOptions& options, const Heights& start,
                                      const Execution& execution) {
   const Heights first = start.size() > 0 ? start : Heights(Heights::Zero(diagram.sites().rows()));
-  if (!diagram.compute(first, execution).surrounded) {
+  SphericalCells cells(diagram, execution);
+  if (!cells.compute(first)) {
     throw GeometryError(
         "Sites all around the sphere are required, but there is a hemisphere without any; normalise the "
         "initial map so that its centre of mass is 0.");
   }
-  SphericalCells cells(diagram, execution);
   return dampedNewton(cells, diagram.sites().rows(), masses, kSphere, options, first, execution);
 }
 
