@@ -55,10 +55,11 @@ Json balanceReport(const BalanceCurve& curve, const Json& options) {
     total += point.seconds;
   }
   seconds.set("conformal", curve.startSeconds).set("maps", maps).set("total", total);
-  about.set("version", version())
-      .set("status", statusName(curve.status))
-      .set("seconds", seconds)
-      .set("options", options);
+  about.set("Curve", Json::object()
+                         .set("version", version())
+                         .set("status", statusName(curve.status))
+                         .set("seconds", seconds)
+                         .set("options", options));
   return balanceTable(curve).sidecar(about);
 }
 

@@ -67,9 +67,28 @@ void requireNoFolds(int flippedFaces) {
                       " faces of it are folded.");
 }
 
+// Heights of the balances before, and where the next ones are to be expected.
+class HeightsSoFar {
+ public:
+  [[nodiscard]] Heights expected(double balance) const {
+    if (before_.size() == 0 || last_ == first_) return heights_;
+    return heights_ + static_cast<long double>((balance - last_) / (last_ - first_)) * (heights_ - before_);
+  }
+  void add(double balance, Heights heights) {
+    before_ = std::move(heights_);
+    heights_ = std::move(heights);
+    first_ = last_;
+    last_ = balance;
+  }
+
+ private:
+  Heights before_, heights_;
+  double first_ = 0, last_ = 0;  // their balances
+};
+
 template <class Mesh, class Image>
 BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balance, const BalanceCurveOptions& options,
-                     const Image& sites, Heights& heights, const Execution& execution) {
+                     const Image& sites, HeightsSoFar& heights, const Execution& execution) {
   const auto begun = std::chrono::steady_clock::now();
   const TargetMeasure wanted = target.blended(mesh.mesh(), areasOf(mesh, sites), balance);
   SemiDiscreteTransportOptions cells;
@@ -79,7 +98,7 @@ BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balan
   exact.tolerance = options.tolerance;
   exact.vertexTolerance = options.vertexTolerance;
   exact.solver = options.solver;
-  auto moved = transport(mesh, wanted, cells, sites, heights, execution.part(0, 0.5));
+  auto moved = transport(mesh, wanted, cells, sites, heights.expected(balance), execution.part(0, 0.5));
   BalancePoint point;
   point.balance = balance;
   point.status = moved.status;
@@ -88,7 +107,7 @@ BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balan
   point.metrics = measured(mesh, finished.image, target);
   point.transport = measured(mesh, moved.image, target);
   if (point.status == Status::Converged || finished.status == Status::Cancelled) point.status = finished.status;
-  heights = std::move(moved.heights);
+  heights.add(balance, std::move(moved.heights));
   point.seconds = secondsSince(begun);
   return point;
 }
@@ -108,7 +127,7 @@ BalanceCurve curveOf(const Mesh& mesh, const TargetMeasure& target, const Balanc
   requireNoFolds(start.flippedFaces);
   curve.startSeconds = secondsSince(begun);
   curve.status = Status::Converged;
-  Heights heights;
+  HeightsSoFar heights;
   const double count = static_cast<double>(options.balances.size());
   for (std::size_t k = 0; k < options.balances.size(); ++k) {
     const Execution part = execution.part(0.1 + 0.9 * double(k) / count, 0.1 + 0.9 * double(k + 1) / count);

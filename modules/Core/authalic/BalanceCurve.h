@@ -12,9 +12,9 @@ namespace authalic {
 
 struct BalanceCurveOptions {
   std::vector<double> balances = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};  ///< t, each in [0, 1]
-  double tolerance = 1e-2;        ///< of the face residual of the finished maps, as AuthalicMapOptions, > 0
-  double vertexTolerance = 1e-3;  ///< of max |ln r_v| of the finished maps, > 0
-  double cellTolerance = 1e-3;    ///< of the transport: max |w_i − ν_i| / mean ν, > 0
+  double tolerance = 2e-2;        ///< of the face residual of the finished maps, as AuthalicMapOptions, > 0
+  double vertexTolerance = 0.1;   ///< of max |ln r_v| of the finished maps, > 0
+  double cellTolerance = 1e-2;    ///< of the transport: max |w_i − ν_i| / mean ν, > 0
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -40,7 +40,8 @@ struct BalanceCurve {
 /// transport from the Riemann map to the masses (1 − t) A_conf + t A_M (TargetMeasure::blended), finished by the exact
 /// area solve.
 ///
-/// One conformal map serves all; the heights of one t are the start of the next. Tolerances are those of a curve to
+/// One conformal map serves all; the transport of a t starts from the line through the heights of the two before it.
+/// Tolerances are those of a curve to
 /// choose by: the map itself is then made to its own (vtkOptimalTransportMap with that balance).
 /// Guarantees: as optimalTransportMap and authalicMap for every point. Not guaranteed: that the curve is monotone.
 /// Complexity: one conformal map, then per point a transport and an area solve.

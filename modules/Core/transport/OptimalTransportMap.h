@@ -35,7 +35,8 @@ struct OptimalTransportMapResult : TransportSolution {
 /// @param shares   n, > 0, sum 1: of the domain, for each vertex (TargetMeasure::vertices())
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty for the harmonic map;
 ///                 vertices outside the domain (pockets) are put on its boundary
-/// @param start    heights of a solution for other shares from the same initial map, from where to go on; or empty
+/// @param start    heights to start from, such as those of other shares from the same initial map; empty, or heights
+///                 that leave a cell empty: those of Voronoi's cells
 ///
 /// Guarantees: cells have their areas to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do
 /// not fold (flippedFaces) — authalicMap started from this image removes both.

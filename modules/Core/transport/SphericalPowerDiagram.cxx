@@ -167,6 +167,8 @@ const SphericalPowerCells& SphericalPowerDiagram::compute(const Heights& heights
     throw GeometryError("One finite height per site (" + std::to_string(n) + ") is required, but there are " +
                         std::to_string(heights.size()) + (heights.allFinite() ? "." : ", not all of them finite."));
   }
+  if (cells_.areas.size() == n && (heights_.array() == heights.array()).all()) return cells_;
+  cells_.areas.resize(0);
   heights_ = heights;
   triangulate();
   placeCorners(execution);

@@ -14,11 +14,7 @@ class SphericalCells final : public TransportCells {
   SphericalCells(SphericalPowerDiagram& diagram, const Execution& execution)
       : diagram_(diagram), execution_(execution) {}
   bool compute(const Heights& heights) override {
-    if (computed_.size() != heights.size() || !(computed_.array() == heights.array()).all()) {
-      (void)diagram_.compute(heights, execution_);
-      computed_ = heights;
-    }
-    return diagram_.cells().surrounded;  // a step too far has no cells
+    return diagram_.compute(heights, execution_).surrounded;  // a step too far has no cells
   }
   const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
@@ -30,7 +26,6 @@ class SphericalCells final : public TransportCells {
  private:
   SphericalPowerDiagram& diagram_;
   const Execution& execution_;
-  Heights computed_;
 };
 
 }  // namespace

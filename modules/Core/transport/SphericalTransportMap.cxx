@@ -25,6 +25,11 @@ void requireRows(Eigen::Index found, const SphereMesh& sphere, const char* what)
                       ") is required, but there are " + std::to_string(found) + ".");
 }
 
+bool leavesNoneEmpty(SphericalPowerDiagram& diagram, const Heights& heights, const Execution& execution) {
+  const SphericalPowerCells& cells = diagram.compute(heights, execution);
+  return cells.surrounded && cells.areas.minCoeff() > 0;
+}
+
 }  // namespace
 
 double displacementCost(const Eigen::VectorXd& masses, const Points3& sites, const Points3& places) {
@@ -58,8 +63,9 @@ SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, cons
   SphericalPowerDiagram diagram(std::move(result.sites));
   result.sites = diagram.sites();
   result.masses = kSphere * shares;
+  const bool usable = start.size() > 0 && leavesNoneEmpty(diagram, start, execution);
   static_cast<TransportSolution&>(result) =
-      sphericalTransport(diagram, result.masses, options, start, execution.part(0.2, 0.95));
+      sphericalTransport(diagram, result.masses, options, usable ? start : Heights(), execution.part(0.2, 0.95));
   const SphericalPowerCells& cells = diagram.cells();
   result.image = cells.centroids;
   result.cellAreas = cells.areas;

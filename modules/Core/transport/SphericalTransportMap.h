@@ -28,7 +28,8 @@ struct SphericalTransportMapResult : TransportSolution {
 ///
 /// @param shares   n, > 0, sum 1: of the sphere, for each vertex (TargetMeasure::vertices())
 /// @param initial  n×3 unit vectors, or empty for sphericalConformalMap
-/// @param start    heights of a solution for other shares from the same initial map, from where to go on; or empty
+/// @param start    heights to start from, such as those of other shares from the same initial map; empty, or heights
+///                 that leave a cell empty: those of Voronoi's cells
 ///
 /// Guarantees: cells have their areas to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do not
 /// fold (flippedFaces) — sphericalAuthalicMap started from this image removes both. Complexity: as sphericalTransport.

@@ -411,7 +411,7 @@ class BalanceCurve:
     table    {column: (k,) array}, a row per balance: balance, angle_distortion, area_distortion (ideal 2),
              angle_error_mean_degrees, flipped_faces; the same four with transport_ in front, before the finish; status
     status   "converged" when every row is
-    report   options, seconds (conformal, maps: one per row, total), version, and what every column means
+    report   version, status, seconds (conformal, maps: one per row, total), options
     """
     table: Table
     status: str
@@ -458,6 +458,6 @@ def balance_curve(points: Any,
     _filters.configure(algorithm, threads=threads)
     algorithm.SetInputData(mesh)
     kind, doubts = _filters.run(algorithm, progress)
-    report = json.loads(algorithm.GetReport())
+    report = json.loads(algorithm.GetReport())["Curve"]
     curve = BalanceCurve(table_of(algorithm.GetOutput()), report["status"], report)
     return _judged(curve, kind, doubts, on_not_converged)
