@@ -67,7 +67,7 @@ double starError(const DiskMesh& disk, const Points2& image, const TargetMeasure
 }  // namespace
 
 TEST_F(BalanceCurveOf, ADiskTradesAnglesForAreasAtEveryStep) {
-  const DiskMesh disk(bumpyDisk(14, 1.5));
+  const DiskMesh disk(bumpyDisk(20));
   const TargetMeasure target(disk.mesh());
   const BalanceCurveOptions options;
   const BalanceCurve curve = balanceCurve(disk, target, options);
@@ -85,7 +85,7 @@ TEST_F(BalanceCurveOf, AClosedSurfaceTradesAnglesForAreasAtEveryStep) {
 }
 
 TEST_F(BalanceCurveOf, StartsAtTheConformalMap) {
-  const DiskMesh disk(bumpyDisk(14, 1.5));
+  const DiskMesh disk(bumpyDisk(20));
   const BalanceCurve curve = balanceCurve(disk, TargetMeasure(disk.mesh()), at({0}));
   const DistortionSummary conformal = measureDistortion(disk.mesh(), riemannMap(disk).image).summary;
   EXPECT_NEAR(curve.points[0].metrics.angleDistortion, conformal.angleDistortion, 2e-3);
@@ -99,7 +99,7 @@ TEST_F(BalanceCurveOf, StartsAtTheConformalMap) {
 }
 
 TEST_F(BalanceCurveOf, DoesNotDependOnTheBalancesBeforeBeyondItsTolerance) {
-  const DiskMesh disk(bumpyDisk(12, 1.5));
+  const DiskMesh disk(bumpyDisk(16));
   const TargetMeasure target(disk.mesh());
   const BalancePoint alone = balanceCurve(disk, target, at({0.6})).points[0];
   const BalancePoint third = balanceCurve(disk, target, at({0.1, 0.9, 0.6})).points[2];
@@ -109,7 +109,7 @@ TEST_F(BalanceCurveOf, DoesNotDependOnTheBalancesBeforeBeyondItsTolerance) {
 }
 
 TEST_F(BalanceCurveOf, GoesToTheMeasureThatIsAskedFor) {
-  const DiskMesh disk(bumpyDisk(12, 1.5));
+  const DiskMesh disk(bumpyDisk(16));
   Eigen::VectorXd density = Eigen::VectorXd::Ones(disk.mesh().vertexCount());
   density.head(37).setConstant(4);
   const TargetMeasure target = TargetMeasure::fromVertexDensity(disk.mesh(), density);
@@ -143,7 +143,7 @@ TEST_F(BalanceCurveOf, StopsWhenAskedTo) {
 }
 
 TEST_F(BalanceCurveOf, TheMeasureOfTheConformalImageLeavesItsSitesInTheirCells) {
-  const DiskMesh disk(bumpyDisk(14, 1.5));
+  const DiskMesh disk(bumpyDisk(20));
   const Points2 conformal = riemannMap(disk).image;
   const Eigen::VectorXd areas = signedFaceAreas(conformal, disk.mesh().faces());
   const TargetMeasure wanted = TargetMeasure(disk.mesh()).blended(disk.mesh(), areas, 0.0);
@@ -153,7 +153,7 @@ TEST_F(BalanceCurveOf, TheMeasureOfTheConformalImageLeavesItsSitesInTheirCells) 
 }
 
 TEST_F(BalanceCurveOf, StartsOfTransportDoNotChangeItsResult) {
-  const DiskMesh disk(bumpyDisk(12, 1.5));
+  const DiskMesh disk(bumpyDisk(16));
   const Points2 sites = riemannMap(disk).image;
   const Eigen::VectorXd areas = signedFaceAreas(sites, disk.mesh().faces());
   const TargetMeasure target(disk.mesh());
