@@ -25,7 +25,7 @@ MOST = 2.001
 
 
 def number(value):
-    return f"{value:.5g}"
+    return f"{value:.6g}"
 
 
 def curve(command, surface, folder):

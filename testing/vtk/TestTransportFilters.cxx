@@ -188,7 +188,7 @@ TEST_F(TransportFilters, BalanceAnglesAgainstAreas) {
   };
   const auto disk = vtkSmartPointer<vtkOptimalTransportMap>::New();
   disk->SetInitialMethodToRiemann();
-  check(disk, bumpyDisk(14, 1.5));
+  check(disk, bumpyDisk(20));
   const TriangleMesh round = sphereMesh(4);
   check(vtkSmartPointer<vtkSphericalTransportMap>::New(),
         TriangleMesh(round.points() * Eigen::Vector3d(1, 1.5, 2.2).asDiagonal(), round.faces()));
