@@ -79,8 +79,8 @@ public:
   /** The table of the last execution as TSV; empty before it and after an error. */
   vtkGetMacro(Text, std::string);
 
-  /** Options, version, status, seconds (of the conformal map and of each row) and the meaning of every column as JSON, to
-   * stand beside Text; empty before it and after an error. */
+  /** Options, version, status, seconds (of the conformal map and of each row) and the meaning of every column as JSON,
+   * to stand beside Text; empty before it and after an error. */
   vtkGetMacro(Report, std::string);
 
 protected:

@@ -12,8 +12,8 @@ namespace authalic {
 /// four of the map before its finish with transport_ in front; status.
 [[nodiscard]] Table balanceTable(const BalanceCurve& curve);
 
-/// What stands beside the table: Curve, with version, status, seconds (conformal, maps: one per row, total) and options,
-/// and a description of every column. Only the seconds differ between two runs on the same input.
+/// What stands beside the table: Curve, with version, status, seconds (conformal, maps: one per row, total) and
+/// options, and a description of every column. Only the seconds differ between two runs on the same input.
 [[nodiscard]] Json balanceReport(const BalanceCurve& curve, const Json& options);
 
 }  // namespace authalic

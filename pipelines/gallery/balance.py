@@ -4,8 +4,8 @@
     balance.py --surface lh.pial
     balance.py --surface lh.pial --region lh.cortex.label --keep --disk --show 0.2 0.9
 
-A closed surface goes to the sphere; with --disk it is cut open and goes to the disk. Leaves curve.tsv, curve.json (the
-meaning of its columns) and balance.png: the surface, the maps of --show coloured by their area distortion, and the curve.
+A closed surface goes to the sphere; with --disk it is cut open and goes to the disk. Leaves curve.tsv, curve.json
+(options and seconds) and balance.png: the maps of --show coloured by their area distortion, and the curve.
 """
 import argparse
 import json

@@ -28,9 +28,9 @@ VerbHelp balanceHelp() {
   help.synopsis = "balance SURFACE -o CURVE.tsv [--values N | --at T...] [OPTIONS]";
   help.description =
       "Maps a disk, or a closed surface of genus 0 to the sphere, with balances from 0 (conformal) to 1 "
-      "(area-preserving), and writes one row for each: angle and area distortion (ideal 2), mean angle error and folded "
-      "faces of the map, and of the map by transport alone before its finish. To tolerances that are enough to choose by; "
-      "authalic map balanced --balance T then makes the map.";
+      "(area-preserving), and writes one row for each: angle and area distortion (ideal 2), mean angle error and "
+      "folded faces of the map, and of the map by transport alone before its finish. To tolerances that are enough to "
+      "choose by; authalic map balanced --balance T then makes the map.";
   help.examples = {"authalic balance lh.pial -o lh.curve.tsv\n  11 maps of a closed cortex to the sphere"};
   help.references = {"Nadeem et al. 2017, spherical parameterization balancing angle and area distortions"};
   return help;
