@@ -6,8 +6,8 @@
 COMMAND is the built `authalic`, DATA the folder of real test data. A model's row has D_angle and D_area of
 `map balanced --domain sphere` at t = 0, 0.5 and 1, the latter also by transport alone, and the user seconds of each;
 then the user seconds of `authalic balance` for 11 values, the largest count of folds along it, and whether both
-distortions are monotone in t. Ends with 1 when a map is folded, D_area at t = 1 is above 2.001, a curve is not monotone, or the judge
-does not agree.
+distortions are monotone in t. Ends with 1 when a map is folded, D_area at t = 1 is above 2.001, a curve is not
+monotone, or the judge does not agree.
 """
 import argparse
 import csv
