@@ -181,7 +181,9 @@ TEST_F(TransportFilters, BalanceAnglesAgainstAreas) {
       EXPECT_EQ(map->GetFlippedFaces(), 0) << balance;
       EXPECT_LT(map->GetTotalAreaDistortion(), area) << balance;
       EXPECT_GT(map->GetTotalAngleDistortion(), angle) << balance;
-      if (balance < 1) EXPECT_EQ(field(map->GetOutput(), "Balance"), balance);
+      if (balance < 1) {
+        EXPECT_EQ(field(map->GetOutput(), "Balance"), balance);
+      }
       area = map->GetTotalAreaDistortion();
       angle = map->GetTotalAngleDistortion();
     }
