@@ -77,7 +77,10 @@ class Gallery:
 
     def add_curves(self, series, x_ticks, y_ticks, title, x_title, y_title):
         """Lines over a logarithmic axis, [(name, x, y, colour)]."""
-        chart = histograms.curve_actor(series, x_ticks, y_ticks, title, x_title, y_title)
+        self.add_prop_chart(histograms.curve_actor(series, x_ticks, y_ticks, title, x_title, y_title))
+
+    def add_prop_chart(self, chart):
+        """A chart that was made already."""
         self.panels.append((None, chart, None, None))
 
     def save(self, path):
