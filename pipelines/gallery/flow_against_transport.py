@@ -6,7 +6,7 @@
 A region of a disk gets several factors of its area. For each, both maps start from the harmonic map; printed and left in
 flow.tsv are the cost of moving the masses by either (sum of mass times squared distance from the harmonic map), their
 ratio, and the modulus of the Beltrami coefficient of psi = flow o transport^-1, 0 where psi keeps angles.
-flow.png has both maps for the largest factor, coloured by place, and the histograms of the moduli.
+flow.png has both maps for the last factor (squares of equal area, the region in red) and the histograms of the moduli.
 """
 import argparse
 
@@ -14,9 +14,9 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, by_place, histograms
+from show import Gallery, histograms
 
-COLOURS = ((0.00, 0.35, 0.70), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.94, 0.89, 0.26), (0.84, 0.37, 0.00))
+COLOURS = ((0.00, 0.35, 0.70), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.84, 0.37, 0.00))
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 surfaces.add_options(parser)
@@ -50,8 +50,12 @@ header = ["factor", "flow_status", "transport_status", "flow_cost", "transport_c
 text = "\n".join("\t".join(row) for row in [header, *rows])
 print(text)
 (options.out / "flow.tsv").write_text(text + "\n", encoding="utf-8")
+inside = np.ravel(moved.point_arrays["RegionsOfInterest"]) > 0
+dark = np.floor(authalic.flatten(disk).image * 8).astype(int).sum(axis=1) % 2 == 1
+rgb = np.where(inside[:, None], np.uint8([205, 92, 60]), np.uint8([205, 200, 190]))
+rgb = np.where(dark[:, None], (0.75 * rgb).astype(np.uint8), rgb)
 for caption, found in ((f"Lie flow, factor {options.factor[-1]:g}", flow), ("optimal transport", moved)):
-    gallery.add(caption, disk, found.image, rgb=by_place(start.image))
+    gallery.add(caption, disk, found.image, rgb=rgb)
 gallery.add_prop_chart(histograms.histogram_actor(series, None, np.linspace(0, 1, 6), 0.02,
                                                   "Beltrami coefficient of psi", "modulus", "share of the faces in %"))
 gallery.save(options.out / "flow.png")
