@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""The discrete Lie flow against optimal transport, as su2019 compares them (section 6.5): what one map makes of the other.
+"""The discrete Lie flow against optimal transport, as su2019 compares them (section 6.5).
 
     flow_against_transport.py --disk head.off --centre 0 30 -930 --radius 12
 
-A region of a disk gets several factors of its area. For each, both maps start from the harmonic map; printed and left in
-flow.tsv are the cost of moving the masses by either (sum of mass times squared distance from the harmonic map), their
-ratio, and the modulus of the Beltrami coefficient of psi = flow o transport^-1, 0 where psi keeps angles.
-flow.png has both maps for the last factor (squares of equal area, the region in red) and the histograms of the moduli.
+A region of a disk gets several factors of its area. For each, both maps start from the harmonic map; printed and left
+in flow.tsv are the cost of moving the masses by either (sum of mass times squared distance from the harmonic map), the
+difference, and the modulus of the Beltrami coefficient of psi = flow o transport^-1, 0 where psi keeps angles. flow.png
+has both maps for the last factor (squares of equal area, the region in red) and the histograms of the moduli.
 """
 import argparse
 

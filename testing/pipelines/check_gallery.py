@@ -205,6 +205,28 @@ class Balance(Script):
         self.holds(*self.cortex()[:2])
 
 
+class FlowAgainstTransport(Script):
+    def holds(self, *options):
+        self.run_script("flow_against_transport.py", *options)
+        header, *rows = (line.split("\t") for line in
+                         (self.out / "flow.tsv").read_text(encoding="utf-8").splitlines())
+        for row in rows:
+            found = dict(zip(header, row))
+            self.assertEqual((found["flow_status"], found["transport_status"]), ("converged", "converged"))
+            self.assertLess(abs(float(found["difference_percent"])), 2)
+            self.assertLess(float(found["beltrami_p50"]), 0.4)
+        self.has_picture("flow.png", charts=1)
+
+    def test_on_fixtures(self):
+        self.holds()
+
+    def test_on_real_data(self):
+        lion = DATA / "meshes/open_disk/chinese_lion.off"
+        if not lion.exists():
+            self.skipTest(f"{lion} is not there")
+        self.holds("--disk", lion, "--radius", 8.4261)
+
+
 class Checkerboard(Script):
     def read_obj(self):
         """(vertices, texture coordinates per vertex, picture), by the format's own rules."""
