@@ -51,7 +51,7 @@ void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInfor
       authalic::circleDomainAuthalicMap(surface, target, options, execution);
   if (result.image.rows() == 0) throw authalic::CancelledError();
   const authalic::Distortion distortion =
-      authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
+      authalic::fillMap(input, output, surface.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   authalic::addCircles(result.circles, output, report);
   authalic::addField(output, "OuterLoop", result.outerLoop);

@@ -80,6 +80,14 @@ class Gallery:
         chart = histograms.histogram_actor(series, None, ticks, bins * (edges[1] - edges[0]), title, unit, "share in %")
         self.panels.append((None, chart, None, None))
 
+    def add_curves(self, series, x_ticks, y_ticks, title, x_title, y_title):
+        """Lines over a logarithmic axis, [(name, x, y, colour)]."""
+        self.add_prop_chart(histograms.curve_actor(series, x_ticks, y_ticks, title, x_title, y_title))
+
+    def add_prop_chart(self, chart):
+        """A chart that was made already."""
+        self.panels.append((None, chart, None, None))
+
     def save(self, path):
         with render.Display() as display:
             if not display.available:

@@ -55,6 +55,25 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
                 "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
 }
 
+std::optional<double> balanceNumber(const SharedMapOptions& shared) {
+  if (!shared.balance) return std::nullopt;
+  const std::string domain = shared.domain.value_or("disk");
+  if (domain != "disk" && domain != "sphere") {
+    throw Failure(UsageProblem, "--balance needs --domain disk or sphere; it is '" + domain + "'.");
+  }
+  double number = 0;
+  if (!CLI::detail::lexical_cast(*shared.balance, number)) return std::nullopt;
+  if (number >= 0 && number <= 1) return number;
+  throw Failure(UsageProblem,
+                "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *shared.balance + ".");
+}
+
+std::optional<std::string> balanceArray(const SharedMapOptions& shared, vtkSmartPointer<vtkPolyData>& surface,
+                                        const Session& session) {
+  if (!shared.balance || balanceNumber(shared)) return std::nullopt;
+  return arrayOf(surface, *shared.balance, session);
+}
+
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }
 
 std::string shown(double value) {

@@ -25,6 +25,7 @@ struct SharedMapOptions {
   std::optional<double> tolerance;
   std::optional<int> maxIterations;
   bool noUnfold = false;
+  std::optional<std::string> balance;
   std::vector<double> holeAreas;
   SpaceOption space;
 };
@@ -50,7 +51,8 @@ class MapFamily {
                                                                        const Session& session) const = 0;
 
   /// Adds arrays that options name as files to the surface, and names them to the filter.
-  virtual void addArrays(vtkSurfaceMapAlgorithm*, vtkSmartPointer<vtkPolyData>&, const Session&) const {}
+  virtual void addArrays(vtkSurfaceMapAlgorithm*, const SharedMapOptions&, vtkSmartPointer<vtkPolyData>&,
+                         const Session&) const {}
   /// Further files that the family's options name, to be written.
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
   /// Writes them, and says what a user of the method looks for, after the filter has run.
@@ -103,6 +105,14 @@ void setInitial(vtkSurfaceMapAlgorithm* filter, DiskFilter* disk, const SharedMa
                                     "; leave it out, the start is found by the method.");
   }
 }
+
+/// --balance where it is one number.
+/// @throws Failure when it is outside [0, 1], or the domain is neither disk nor sphere
+[[nodiscard]] std::optional<double> balanceNumber(const SharedMapOptions& shared);
+
+/// The point array that --balance names, or reads from a file; none when it is a number.
+[[nodiscard]] std::optional<std::string> balanceArray(const SharedMapOptions& shared,
+                                                      vtkSmartPointer<vtkPolyData>& surface, const Session& session);
 
 /// A number as the help page shows it.
 [[nodiscard]] std::string shown(double value);

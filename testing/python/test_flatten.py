@@ -393,6 +393,18 @@ class MeasureControl(unittest.TestCase):
         ball = authalic.read_surface(DATA / "folded_sphere.off")
         self.assertEqual(authalic.flatten(ball, domain="sphere", balance=0.5).status, "converged")
 
+    def test_the_curve_of_balances_says_what_angles_cost(self):
+        curve = authalic.balance_curve(self.points, self.faces, balances=[0, 0.5, 1])
+        self.assertEqual((curve.status, curve.report["status"], len(curve.report["seconds"]["maps"])),
+                         ("converged", "converged", 3))
+        self.assertTrue((np.diff(curve.table["angle_distortion"]) > 0).all())
+        self.assertTrue((np.diff(curve.table["area_distortion"]) < 0).all())
+        half = authalic.flatten(self.points, self.faces, method="balanced")
+        self.assertAlmostEqual(half.metrics["area_distortion"], curve.table["area_distortion"][1], delta=2e-3)
+        for balances in ([], [1.5], "half"):
+            with self.assertRaises(authalic.InvalidArgument):
+                authalic.balance_curve(self.points, self.faces, balances=balances)
+
     def test_what_cannot_be_is_refused_in_words(self):
         def refuses(words, **options):
             with self.assertRaises(authalic.InvalidArgument) as caught:

@@ -124,6 +124,8 @@ CASES = {
     "vtkSphericalLieAdvection": Case((ball,), {"NumberOfSteps": 5}, wrong=(0, disk)),
     "vtkOptimalTransportMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalTransportMap": Case((ball,), wrong=(0, disk)),
+    "vtkBalanceCurve": Case((disk,), {"NumberOfBalances": 2}, wrong=(0, tube), keeps_vertices=False,
+                            adders={"AddBalance": (0.5,)}),
     "vtkAuthalicMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalAuthalicMap": Case((ball,), wrong=(0, disk)),
     "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),

@@ -11,9 +11,9 @@ Functions take and return numpy arrays:
 
     files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume
     surfaces   topology, repair, cut_to_disk, cortical_surfaces
-    maps       flatten, methods, measure_distortion
+    maps       flatten, methods, measure_distortion, balance_curve
     sampling   sample_volume, labels_on_surface, elements
-    results    Surface, RepairedSurface, SurfaceMap, Volume, Samples, Elements, Distortion
+    results    Surface, RepairedSurface, SurfaceMap, Volume, Samples, Elements, Distortion, BalanceCurve
     failures   Error: InvalidArgument, SurfaceError, SolverError, FormatError, Cancelled, NotConverged;
                AuthalicWarning: NotConvergedWarning
 
@@ -25,7 +25,7 @@ from ._classes import *  # noqa: F403
 from ._elements import Elements, elements
 from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged,
                       NotConvergedWarning, SolverError, SurfaceError)
-from ._maps import Distortion, SurfaceMap, flatten, measure_distortion, methods
+from ._maps import BalanceCurve, Distortion, SurfaceMap, balance_curve, flatten, measure_distortion, methods
 from ._repair import RepairedSurface, repair
 from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
                         write_vertex_data)
@@ -34,6 +34,7 @@ from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, rea
 __version__ = "@PROJECT_VERSION@"
 __all__ = [
     "AuthalicWarning",
+    "BalanceCurve",
     "Cancelled",
     "Distortion",
     "Elements",
@@ -49,6 +50,7 @@ __all__ = [
     "SurfaceError",
     "SurfaceMap",
     "Volume",
+    "balance_curve",
     "cortical_surfaces",
     "cut_to_disk",
     "elements",
