@@ -14,7 +14,7 @@ class CircleFlowDomain final : public LieFlowDomain {
   CircleFlowDomain(const PolyAnnulusMesh& surface, const std::vector<LoopOnCircle>& loops, const TargetMeasure& target)
       : LieFlowDomain(surface.mesh().faces(), target), surface_(surface), loops_(loops) {}
 
-  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces) const override {
+  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces, const Points2&) const override {
     return std::make_unique<CircleDomainAreas>(faces, loops_, surface_.mesh().vertexCount());
   }
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
+#include "Core/authalic/LevelShares.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -120,47 +120,16 @@ void stretchHoles(const CircleDomainAreas& areas, const std::vector<LoopOnCircle
   }
 }
 
-// Share of the target within some radii about the middle, as knots of a piecewise linear function of ln r.
-struct RadialShares {
-  std::vector<double> logRadii, shares;
-
-  RadialShares(const Eigen::VectorXd& radii, const Eigen::VectorXd& target) {
-    std::vector<int> order(static_cast<std::size_t>(radii.size()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return radii[a] < radii[b]; });
-    const auto stride = static_cast<std::size_t>(std::sqrt(static_cast<double>(order.size())));
-    double inside = 0;
-    for (std::size_t i = 0, next = 0; i < order.size();) {
-      std::size_t end = i;
-      double same = 0;  // vertices of one circle are inside it by half
-      for (; end < order.size() && radii[order[end]] <= radii[order[i]] * (1 + 1e-9); ++end) same += target[order[end]];
-      const bool first = i == 0, last = end == order.size();
-      if (first || last || i >= next) {
-        logRadii.push_back(std::log(radii[order[i]]));
-        shares.push_back(first ? 0 : last ? 1 : inside + 0.5 * same);
-        next = i + stride;
-      }
-      inside += same;
-      i = end;
-    }
-  }
-
-  [[nodiscard]] double at(double radius) const {
-    const double x = std::log(radius);
-    const auto above = std::upper_bound(logRadii.begin() + 1, logRadii.end() - 1, x) - logRadii.begin();
-    const auto k = static_cast<std::size_t>(above);
-    const double t = (x - logRadii[k - 1]) / (logRadii[k] - logRadii[k - 1]);
-    return shares[k - 1] + std::min(std::max(t, 0.0), 1.0) * (shares[k] - shares[k - 1]);
-  }
-};
-
 // Every circle around the middle to the radius at which it has its share of the target inside.
+// What lies in the hole goes with its circle.
 void spreadRings(const TargetMeasure& target, const std::vector<LoopOnCircle>& loops, double inner, Points2& image) {
+  const double before = image.row(loops[1].vertices.front()).norm();
   const Eigen::VectorXd radii = image.rowwise().norm();
-  const RadialShares within(radii, target.vertices());
+  const LevelShares within(radii.array().max(before).log(), target.vertices());
   const double hole = inner * inner;
   for (Eigen::Index v = 0; v < image.rows(); ++v) {
-    image.row(v) *= std::sqrt(hole + (1 - hole) * within.at(radii[v])) / radii[v];
+    const double onto = std::sqrt(hole + (1 - hole) * within.at(std::log(radii[v])));
+    image.row(v) *= radii[v] < before ? inner / before : onto / radii[v];
   }
   for (const LoopOnCircle& loop : loops) {
     const double onto = &loop == &loops.front() ? 1 : inner;
