@@ -247,7 +247,7 @@ TEST(CircleDomainAuthalicMapFilter, GivesTheImageOfCoreWithEveryOption) {
   filter->AddHoleArea(1);
   EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "each of the 2 holes");
   const auto concentric = on<vtkCircleDomainAuthalicMap>(threeLoops());
-  concentric->ConcentricOn();
+  concentric->SetDomainToAnnulus();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
 }
 
@@ -272,6 +272,6 @@ TEST(CircleDomainLieFlowFilter, GivesTheImageOfCoreWithItsOptions) {
   for (int k = 0; k < 3; ++k)
     EXPECT_EQ(field(filter->GetOutput(), "Circles", k, 2), core.circles[std::size_t(k)].radius);
   const auto concentric = on<vtkCircleDomainLieFlow>(threeLoops());
-  concentric->ConcentricOn();
+  concentric->SetDomainToAnnulus();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
 }

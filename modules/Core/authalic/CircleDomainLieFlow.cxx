@@ -47,12 +47,7 @@ CircleDomainLieFlowResult circleDomainLieFlow(const PolyAnnulusMesh& surface, co
   result.startSeconds = watch.lap();
   Coordinates image = start.image;
   runLieFlow(CircleFlowDomain(surface, start.loops, target), options.flow, execution.part(0.3, 1), image, result);
-  result.image = image;
-  result.outerLoop = start.outerLoop;
-  result.pockets = start.pockets;
-  result.holeAreas = start.holeAreas;
-  result.holeResidual = holeResidual(start.loops, result.image);
-  result.circles = circlesOf(start, result.image);
+  static_cast<CircleDomainImage&>(result) = imageOf(start, image);
   execution.report(1, "Discrete Lie flow");
   return result;
 }

@@ -172,21 +172,21 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
   return start;
 }
 
-double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image) {
+CircleDomainImage imageOf(const CircleDomainStart& start, const Points2& image) {
+  CircleDomainImage result;
+  result.image = image;
+  result.outerLoop = start.outerLoop;
+  result.holeAreas = start.holeAreas;
+  result.pockets = start.pockets;
+  const std::vector<LoopOnCircle>& loops = start.loops;
   const double whole = polygonArea(image, loops.front().vertices);
-  double worst = 0;
   for (std::size_t k = 1; k < loops.size(); ++k) {
-    worst = std::max(worst, std::abs(std::log(-polygonArea(image, loops[k].vertices) / (whole * loops[k].share))));
+    const double ratio = -polygonArea(image, loops[k].vertices) / (whole * loops[k].share);
+    result.holeResidual = std::max(result.holeResidual, std::abs(std::log(ratio)));
+    result.circles.push_back(fitCircle(image, loops[k].vertices));
   }
-  return worst;
-}
-
-std::vector<FittedCircle> circlesOf(const CircleDomainStart& start, const Points2& image) {
-  std::vector<LoopOnCircle> inOrder(start.loops.begin() + 1, start.loops.end());
-  inOrder.insert(inOrder.begin() + start.outerLoop, start.loops.front());
-  std::vector<FittedCircle> circles;
-  for (const LoopOnCircle& loop : inOrder) circles.push_back(fitCircle(image, loop.vertices));
-  return circles;
+  result.circles.insert(result.circles.begin() + start.outerLoop, fitCircle(image, loops.front().vertices));
+  return result;
 }
 
 }  // namespace authalic
