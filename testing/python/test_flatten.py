@@ -176,6 +176,18 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
             authalic.flatten(tube, method="annulus", hole_areas=[150])
 
+    def test_tubes_go_to_the_periodic_rectangle_cut_open(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        for method in ("authalic-holes", "lie-flow-holes"):
+            result = authalic.flatten(tube, method=method, domain="periodic-rectangle")
+            self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0), method)
+            original = result.point_arrays["OriginalPointIds"]
+            copies = result.image[len(tube.points):] - result.image[original[len(tube.points):]]
+            self.assertEqual(len(copies), len(result.report["cut"]))
+            np.testing.assert_allclose(np.abs(copies), [[1, 0]] * len(copies), atol=1e-12)
+            area = result.report["height"] * result.report["circumference"]
+            self.assertAlmostEqual(area / result.report["metrics"]["surface_area"], 1, 9)
+
     def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
         points, faces = square_sheet(4)
         expected = authalic.flatten(points, faces, "mean-value").image
