@@ -15,7 +15,8 @@
 
 vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
 
-static_assert(static_cast<int>(authalic::HoledDomain::PeriodicRectangle) == vtkCircleDomainAuthalicMap::PERIODIC_RECTANGLE);
+static_assert(static_cast<int>(authalic::HoledDomain::PeriodicRectangle) ==
+              vtkCircleDomainAuthalicMap::PERIODIC_RECTANGLE);
 
 void vtkCircleDomainAuthalicMap::AddHoleArea(double area) {
   this->HoleAreas.push_back(area);

@@ -45,7 +45,8 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
   if (name == "square" && argument.empty()) return filter->SetDomainToSquare();
   if (name == "polygon" && !argument.empty()) return setPolygon(filter, argument);
   if (name == "rectangle" && !argument.empty()) return setRectangle(filter, argument);
-  for (const char* other : {"sphere", "annulus", "circle-domain", "periodic-rectangle", "torus", "flat-cones", "free"}) {
+  for (const char* other :
+       {"sphere", "annulus", "circle-domain", "periodic-rectangle", "torus", "flat-cones", "free"}) {
     if (name == other) {
       throw Failure(UsageProblem, "--domain " + name + " is not for maps of a disk by this method; take disk, square, "
                                   "rectangle:ASPECT or polygon:FILE.");

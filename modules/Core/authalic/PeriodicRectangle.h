@@ -10,7 +10,8 @@ namespace authalic {
 
 /// An annulus on the flat cylinder of circumference 1, cut open.
 struct PeriodicRectangleImage {
-  Points2 image;   ///< n'×2: y = 0 on the outer loop, `height` on the other one, but for pockets; sides differ by (1, 0)
+  Points2 image;  ///< n'×2: y = 0 on the outer loop, `height` on the other one, but for pockets; sides differ
+                  ///< by (1, 0)
   Faces faces;     ///< m×3, faces of the input in order, opened along the cut
   std::vector<int> originalPointIds;  ///< n': vertex of the input; the first n are the input's, then the copies
   std::vector<int> cut;               ///< vertices of the cut, from the outer loop to the other one

@@ -25,7 +25,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Corners that the cut has given copies lie one period on.
 Points2 shiftsOf(const PeriodicRectangle& rectangle, int vertexCount) {
-  const double period = rectangle.points(vertexCount, 0) - rectangle.points(rectangle.originalPointIds[at(vertexCount)], 0);
+  const double period =
+      rectangle.points(vertexCount, 0) - rectangle.points(rectangle.originalPointIds[at(vertexCount)], 0);
   Points2 shifts = Points2::Zero(rectangle.faces.size(), 2);
   for (Eigen::Index c = 0; c < shifts.rows(); ++c) {
     if (rectangle.faces.data()[c] >= vertexCount) shifts(c, 0) = period > 0 ? 1 : -1;
