@@ -80,9 +80,8 @@ std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const Conforma
     if (loop.vertices.size() < 3) {
       throw GeometryError("Boundary loops that are circles in the conformal map are required, but loop " +
                           std::to_string(k) + " of " + std::to_string(surface.loops()[k].size()) +
-                          " vertices shrinks to a circle of radius " + std::to_string(circle.radius) +
-                          ", too small for its vertices to lie on it; for a long tube take the domain "
-                          "periodic-rectangle, or annulus.");
+                          " vertices is shrunk so far that they do not lie on a circle any more; for a long tube take "
+                          "the domain periodic-rectangle.");
     }
     if (outer) loops.front() = std::move(loop);
     else loops.push_back(std::move(loop));
