@@ -19,6 +19,7 @@ namespace authalic {
 namespace {
 
 constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
+constexpr double kSmallestRadius = 1e-12;  // of a hole anywhere in the disk: coordinates have 16 digits
 constexpr double kTight = 0.95;     // of the room around a hole
 
 double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
@@ -61,7 +62,7 @@ ConformalStart conformalStart(const PolyAnnulusMesh& surface, const CircleDomain
 
 // Outer loop first; holes in the order of the surface's loops.
 std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const ConformalStart& conformal,
-                                  const std::vector<double>& holeAreas) {
+                                  const std::vector<double>& holeAreas, bool concentric) {
   double whole = faceAreas(surface.mesh()).sum();
   for (const double area : holeAreas) whole += area;
   std::vector<LoopOnCircle> loops(1);
@@ -77,7 +78,7 @@ std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const Conforma
       const double off = (conformal.image.row(v) - circle.centre).norm() / circle.radius - 1;
       if (std::abs(off) < kOnCircle) loop.vertices.push_back(v);
     }
-    if (loop.vertices.size() < 3) {
+    if (loop.vertices.size() < 3 || (!concentric && !(circle.radius > kSmallestRadius))) {
       throw GeometryError("Boundary loops that are circles in the conformal map are required, but loop " +
                           std::to_string(k) + " of " + std::to_string(surface.loops()[k].size()) +
                           " vertices is shrunk so far that they do not lie on a circle any more; for a long tube take "
@@ -171,7 +172,7 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
       start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
     }
   }
-  start.loops = loopsOf(surface, conformal, start.holeAreas);
+  start.loops = loopsOf(surface, conformal, start.holeAreas, holes.concentric);
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
   start.image = stretched(surface, target, areas, start.loops, holes.concentric, conformal.image,
                           execution.part(0.7, 1));
