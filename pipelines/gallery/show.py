@@ -60,6 +60,11 @@ class Gallery:
             prop = scenes.point_actor(mesh, array, table, lit)
         self.add_prop(caption, prop, points, direction, table)
 
+    @staticmethod
+    def faces(surface, array, table):
+        """An actor: the triangles where they are, each in the colour of its face array."""
+        return scenes.cell_actor(drawn(surface, surface.points), array, table)
+
     def add_prop(self, caption, prop, points, direction=(1, 0, 0), table=None):
         """Anything that VTK draws, seen as `points` are."""
         self.panels.append((caption, prop, look(points, direction), table))

@@ -52,5 +52,6 @@ void addWeld(CLI::App& app, Session& session);
 void addDensity(CLI::App& app, Session& session);
 void addBalance(CLI::App& app, Session& session);
 void addConvert(CLI::App& app, Session& session);
+void addRepair(CLI::App& app, Session& session);
 
 }  // namespace authalic::cli

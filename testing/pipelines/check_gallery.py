@@ -276,6 +276,25 @@ class Checkerboard(Script):
         self.holds(*self.cortex())
 
 
+class RepairSurface(Script):
+    def holds(self, handles, loops, *options):
+        self.assertIn(f"{handles} handle", self.run_script("repair_surface.py", *options))
+        report = json.loads((self.out / "repair.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["changes"]["handles"]["count"], handles)
+        found = authalic.topology(authalic.read_surface(self.out / "repaired.vtp"))
+        self.assertEqual((found["genus"], found["oriented_manifold"], len(found["boundary_loops"])), (0, True, loops))
+        self.has_picture("repair.png")
+
+    def test_on_fixtures(self):
+        self.holds(1, 0)
+
+    def test_on_real_data(self):
+        path = DATA / "colon/EdinGCA_3D_00020_CTC_inflated/large-intestine-SF+-HF-.vtk"
+        if not path.exists():
+            self.skipTest(f"{path} is not there")
+        self.holds(3, 2, "--surface", path, "--scale", 0.808594, 0.808594, 0.7)
+
+
 class Tutorial(unittest.TestCase):
     def test_on_fixtures_in_cells_and_as_a_whole(self):
         script = ROOT / "pipelines/tutorial.py"

@@ -43,6 +43,19 @@ def ring():
     return with_arrays(authalic.read_surface(DATA / "torus.off")).to_vtk()
 
 
+def broken_ring():
+    """The torus with a face twice and a hole."""
+    surface = authalic.read_surface(DATA / "torus.off")
+    faces = np.concatenate([surface.faces[1:], surface.faces[5:6]])
+    return with_arrays(authalic.Surface(surface.points, faces)).to_vtk()
+
+
+def soup():
+    """Triangles that do not meet."""
+    points = np.arange(9 * 9).reshape(27, 3) ** 2 % 31
+    return authalic.Surface(points, np.arange(27).reshape(9, 3)).to_vtk()
+
+
 def two_rings():
     return with_arrays(authalic.read_surface(DATA / "double_torus.off")).to_vtk()
 
@@ -132,6 +145,7 @@ CASES = {
     "vtkRegionDensity": Case((disk,), {"RegionMode": 1, "Radius": 25.0, "Blend": 5.0}, stops=False,
                              adders={"AddRegionValue": (3.5,), "AddRegionName": ("one",)}),
     "vtkCurvatureDensity": Case((ball,), stops=False),
+    "vtkSurfaceRepair": Case((broken_ring,), wrong=(0, soup), keeps_vertices=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),
     "vtkSampleVolumeOnSurface": Case((disk, volume), wrong=(1, vtkImageData)),
     "vtkLabelsOnSurface": Case((disk, volume), wrong=(1, vtkImageData)),
