@@ -23,7 +23,7 @@ class AuthalicFamily : public MapFamily {
            "surface of genus 0 to --domain sphere, a torus to --domain torus (flat, cut open, with "
            "OriginalPointIds), a closed surface of genus 2 or more to --domain flat-cones (flat but for cones, cut "
            "open), a surface with holes to --domain circle-domain (unit disk without round "
-           "holes) or annulus (one hole, in the middle).";
+           "holes) or annulus (one hole, in the middle), a tube also to --domain periodic-rectangle (cut open).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -45,10 +45,7 @@ class AuthalicFamily : public MapFamily {
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     const std::optional<double> weight = balanceNumber(shared);
-    if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
-    if (!shared.holeAreas.empty()) {
-      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
-    }
+    if (const auto holed = holedFilter<vtkCircleDomainAuthalicMap>(shared)) return configured(holed, shared, session);
     if (shared.domain == "sphere") {
       const auto map = vtkSmartPointer<vtkSphericalAuthalicMap>::New();
       if (weight) map->SetBalance(*weight);
@@ -73,13 +70,6 @@ class AuthalicFamily : public MapFamily {
   }
 
  private:
-  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
-    const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
-    map->SetConcentric(shared.domain == "annulus");
-    for (const double area : shared.holeAreas) map->AddHoleArea(area);
-    return configured(map, shared, session);
-  }
-
   template <class Filter>
   vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
                                      const Session& session) const {

@@ -45,7 +45,8 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
   if (name == "square" && argument.empty()) return filter->SetDomainToSquare();
   if (name == "polygon" && !argument.empty()) return setPolygon(filter, argument);
   if (name == "rectangle" && !argument.empty()) return setRectangle(filter, argument);
-  for (const char* other : {"sphere", "annulus", "circle-domain", "torus", "flat-cones", "free"}) {
+  for (const char* other :
+       {"sphere", "annulus", "circle-domain", "periodic-rectangle", "torus", "flat-cones", "free"}) {
     if (name == other) {
       throw Failure(UsageProblem, "--domain " + name + " is not for maps of a disk by this method; take disk, square, "
                                   "rectangle:ASPECT or polygon:FILE.");
@@ -72,6 +73,11 @@ std::optional<std::string> balanceArray(const SharedMapOptions& shared, vtkSmart
                                         const Session& session) {
   if (!shared.balance || balanceNumber(shared)) return std::nullopt;
   return arrayOf(surface, *shared.balance, session);
+}
+
+const std::vector<std::string>& holedDomains() {
+  static const std::vector<std::string> names = {"circle-domain", "annulus", "periodic-rectangle"};
+  return names;
 }
 
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }

@@ -2,6 +2,7 @@
 /// The methods of `authalic map`, in families that share a filter and their options.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -83,6 +84,26 @@ class MapFamily {
 
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
+
+/// circle-domain, annulus, periodic-rectangle: the domains of maps of surfaces with holes, in the order of the filters'
+/// enumerations.
+[[nodiscard]] const std::vector<std::string>& holedDomains();
+
+/// The filter for one of them, with the areas of its holes; null for other domains.
+/// @throws Failure when there are hole areas for a domain without holes
+template <class Filter>
+vtkSmartPointer<Filter> holedFilter(const SharedMapOptions& shared) {
+  const auto& domains = holedDomains();
+  const auto found = std::find(domains.begin(), domains.end(), shared.domain.value_or("disk"));
+  if (!shared.holeAreas.empty() && (found == domains.end() || *found == "periodic-rectangle")) {
+    throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
+  }
+  if (found == domains.end()) return nullptr;
+  const auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetDomain(static_cast<int>(found - domains.begin()));
+  for (const double area : shared.holeAreas) filter->AddHoleArea(area);
+  return filter;
+}
 
 /// Sets the planar domain that `text` names (disk, square, rectangle:ASPECT, polygon:FILE); the disk when there is
 /// none.

@@ -235,6 +235,14 @@ class Results(CommandLine):
         report = json.loads((self.here / "h.json").read_text())
         self.assertEqual((report["status"], report["hole_areas"]), ("converged", [150]))
         self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "periodic-rectangle", "--report", "h.json")
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["flips"], report["pockets"]), ("converged", 0, 0))
+        self.assertLess(report["vertex_residual"], 1e-9)
+        self.assertIn("need --domain", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain",
+                                                  "periodic-rectangle", "--hole-areas", 150))
+        self.assertIn("boundary loops", self.fails(3, "map", "authalic", self.sheet, "-o", "h.vtp", "--domain",
+                                                   "periodic-rectangle"))
         self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                                   "--hole-areas", 1, 2))
@@ -301,6 +309,7 @@ class Results(CommandLine):
         for method, name, domain in (("lie-flow", "folded_sphere.off", "sphere"),
                                      ("lie-flow", "bent_tube.off", "circle-domain"),
                                      ("lie-flow", "bent_tube.off", "annulus"),
+                                     ("lie-flow", "bent_tube.off", "periodic-rectangle"),
                                      ("lie-flow", "bumpy_disk.off", "polygon:l.txt"),
                                      ("lie-advection", "folded_sphere.off", "sphere"),
                                      ("lie-advection", "bumpy_disk.off", "rectangle:2")):

@@ -168,13 +168,26 @@ class Results(unittest.TestCase):
 
     def test_holes_get_the_areas_that_they_are_given(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
-        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], concentric=True, tolerance=0.05)
+        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], domain="annulus", tolerance=0.05)
         self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0))
         self.assertLess(result.metrics["vertex_log_area_ratio_max_abs"], 1e-9)
         self.assertLess(result.report["hole_residual"], 1e-9)
         self.assertEqual(result.report["hole_areas"], [150])
         with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
             authalic.flatten(tube, method="annulus", hole_areas=[150])
+
+    def test_tubes_go_to_the_periodic_rectangle_cut_open(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        for method in ("authalic-holes", "lie-flow-holes"):
+            result = authalic.flatten(tube, method=method, domain="periodic-rectangle")
+            self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0), method)
+            original = result.point_arrays["OriginalPointIds"]
+            copies = result.image[len(tube.points):] - result.image[original[len(tube.points):]]
+            self.assertEqual(len(copies), len(result.report["cut"]))
+            np.testing.assert_allclose(np.abs(copies), [[1, 0]] * len(copies), atol=1e-12)
+            area = result.report["height"] * result.report["circumference"]
+            a, b, c = (tube.points[tube.faces[:, k]] for k in range(3))
+            self.assertAlmostEqual(area / (np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2), 1, 9)
 
     def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
         points, faces = square_sheet(4)

@@ -138,7 +138,7 @@ CASES = {
     "vtkCircleDomainMap": Case((tube,), wrong=(0, ball)),
     "vtkSphericalConformalMap": Case((ball,), wrong=(0, disk)),
     "vtkConformalWelding": Case((shell("upper"), shell("lower")), wrong=(0, disk), keeps_vertices=False),
-    "vtkCircleDomainAuthalicMap": Case((tube,), {"Concentric": True, "Tolerance": 0.05}, wrong=(0, ball),
+    "vtkCircleDomainAuthalicMap": Case((tube,), {"Domain": 1, "Tolerance": 0.05}, wrong=(0, ball),
                                        adders={"AddHoleArea": (150.0,)}),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
