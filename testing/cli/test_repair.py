@@ -157,6 +157,8 @@ class Repair(CommandLine):
             self.skipTest(f"{folder} is not there")
         accepted = "--allow-nonconverged"  # a closed tube this long does not reach the tolerance
         for name, loops, changes, method in (("A-DSJ", 1, {"handles": 3}, ("authalic", accepted)),
+                                             ("SF+-HF-", 2, {"handles": 3},
+                                              ("authalic", "--domain", "periodic-rectangle")),
                                              ("SF+-HF-", 2, {"handles": 3}, ("annulus",)),
                                              ("HF+-ICVc", 3, {"t_junctions": 1, "non_manifold_vertices": 1},
                                               ("circle-domain",))):
