@@ -3,9 +3,14 @@
 /// FiltersParameterization/.
 #pragma once
 
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "Core/authalic/CircleDomainHoles.h"
 #include "Core/authalic/PeriodicRectangle.h"
-#include "Core/mesh/TriangleMesh.h"
+#include "Core/authalic/TargetMeasure.h"
+#include "Core/mesh/AnnulusMesh.h"
 #include "Reports/MapReport.h"
 
 class vtkPolyData;
@@ -15,19 +20,28 @@ namespace authalic {
 /// In the order of the filters' enumerations.
 enum class HoledDomain { CircleDomain, Annulus, PeriodicRectangle };
 
-/// circle-domain, annulus, periodic-rectangle.
-[[nodiscard]] const char* holedDomainName(HoledDomain domain);
-
 /// Loops and holes as they are asked for.
 /// @param outerVertex  on the outer loop; −1 = the longest
 [[nodiscard]] CircleDomainHoles holesOf(const PolyAnnulusMesh& surface, HoledDomain domain, int outerVertex,
                                         const std::vector<double>& areas);
 
-/// Field data Circles, OuterLoop, HoleAreas, HoleResidual and Pockets, and the same in the report.
-void addHoles(const CircleDomainImage& image, vtkPolyData* map, MapReport& report);
+/// @throws InvalidArgument when there are hole areas: a periodic rectangle has no holes
+void requireNoHoleAreas(const std::vector<double>& areas);
 
-/// Field data Height, Circumference (mm), Pockets, OuterLoop and Cut, and the same in the report.
-void addRectangle(const TriangleMesh& surface, const PeriodicRectangleImage& image, vtkPolyData* map,
-                  MapReport& report);
+/// Fills the map and makes its report: what `describe` says of the method, then field data Circles, OuterLoop,
+/// HoleAreas, HoleResidual and Pockets.
+/// @throws CancelledError when there is no image
+[[nodiscard]] MapReport reportCircles(vtkPolyData* input, vtkPolyData* map, const PolyAnnulusMesh& surface,
+                                      const CircleDomainImage& image, const TargetMeasure& target,
+                                      const std::function<MapReport()>& describe);
+
+/// The same with field data Height, Circumference (mm), Pockets, OuterLoop and Cut.
+[[nodiscard]] MapReport reportRectangle(vtkPolyData* input, vtkPolyData* map, const AnnulusMesh& annulus,
+                                        const PeriodicRectangleImage& image, const TargetMeasure& target,
+                                        const std::function<MapReport()>& describe);
+
+/// The options that both methods have.
+void addHoledOptions(Json& options, HoledDomain domain, const std::string& measure, int outerVertex,
+                     const std::vector<double>& areas);
 
 }  // namespace authalic

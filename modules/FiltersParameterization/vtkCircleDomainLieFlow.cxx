@@ -8,7 +8,6 @@
 #include "Conversion.h"
 #include "Core/authalic/CircleDomainLieFlow.h"
 #include "Core/authalic/PeriodicRectangleLieFlow.h"
-#include "Core/base/Error.h"
 #include "HoledDomains.h"
 #include "LieFlowReport.h"
 #include "MapArrays.h"
@@ -28,7 +27,7 @@ void vtkCircleDomainLieFlow::ClearHoleAreas() {
 }
 
 authalic::MapReport vtkCircleDomainLieFlow::MapToCircles(vtkPolyData* input, vtkPolyData* output,
-                                          const authalic::Execution& execution) {
+                                                         const authalic::Execution& execution) {
   const authalic::PolyAnnulusMesh surface(authalic::toTriangleMesh(input));
   authalic::CircleDomainLieFlowOptions options;
   options.flow = this->Options();
@@ -36,48 +35,31 @@ authalic::MapReport vtkCircleDomainLieFlow::MapToCircles(vtkPolyData* input, vtk
       surface, static_cast<authalic::HoledDomain>(this->Domain), this->OuterVertex, this->HoleAreas);
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, surface.mesh(), this->MeasureArrayName);
   const auto result = authalic::circleDomainLieFlow(surface, target, options, execution);
-  if (result.image.rows() == 0) throw authalic::CancelledError();
-  const authalic::Distortion distortion =
-      authalic::fillMap(input, output, surface.mesh(), result.image, target.shares());
-  authalic::MapReport report = authalic::describeLieFlow(result, output);
-  authalic::addHoles(result, output, report);
-  report.metrics = distortion.summary;
-  report.topology = authalic::inspect(surface.mesh(), surface.topology());
-  return report;
+  return authalic::reportCircles(input, output, surface, result, target,
+                                 [&] { return authalic::describeLieFlow(result, output); });
 }
 
 authalic::MapReport vtkCircleDomainLieFlow::MapToRectangle(vtkPolyData* input, vtkPolyData* output,
-                                            const authalic::Execution& execution) {
-  if (!this->HoleAreas.empty()) {
-    throw authalic::InvalidArgument(
-        "A domain with holes is required for hole areas, but a periodic rectangle has none; leave them out.");
-  }
+                                                           const authalic::Execution& execution) {
+  authalic::requireNoHoleAreas(this->HoleAreas);
   const authalic::AnnulusMesh annulus(authalic::toTriangleMesh(input));
   authalic::PeriodicRectangleLieFlowOptions options;
   options.flow = this->Options();
   options.outerLoop = authalic::loopOf(annulus.loops(), this->OuterVertex);
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, annulus.mesh(), this->MeasureArrayName);
   const auto result = authalic::periodicRectangleLieFlow(annulus, target, options, execution);
-  if (result.image.rows() == 0) throw authalic::CancelledError();
-  const authalic::Distortion distortion = authalic::fillOpenedMap(
-      input, output, {result.faces, result.originalPointIds}, result.image, target.shares());
-  authalic::MapReport report = authalic::describeLieFlow(result, output);
-  authalic::addRectangle(annulus.mesh(), result, output, report);
-  report.metrics = distortion.summary;
-  report.topology = authalic::inspect(annulus.mesh(), annulus.topology());
-  return report;
+  return authalic::reportRectangle(input, output, annulus, result, target,
+                                   [&] { return authalic::describeLieFlow(result, output); });
 }
 
 void vtkCircleDomainLieFlow::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
-                      const authalic::Execution& execution) {
+                                     const authalic::Execution& execution) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   authalic::MapReport report = this->Domain == PERIODIC_RECTANGLE ? this->MapToRectangle(input, output, execution)
                                                                   : this->MapToCircles(input, output, execution);
-  report.options.set("domain", authalic::holedDomainName(static_cast<authalic::HoledDomain>(this->Domain)))
-      .set("measure", this->MeasureArrayName)
-      .set("outer_vertex", this->OuterVertex)
-      .set("hole_areas", authalic::Json::arrayOf(this->HoleAreas));
+  authalic::addHoledOptions(report.options, static_cast<authalic::HoledDomain>(this->Domain), this->MeasureArrayName,
+                            this->OuterVertex, this->HoleAreas);
   authalic::addLieFlowOptions(report.options, this->Options());
   this->Publish(output, report);
 }

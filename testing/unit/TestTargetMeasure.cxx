@@ -10,6 +10,18 @@
 using namespace authalic;
 using namespace authalic::testing;
 
+namespace {
+
+TriangleMesh meshWithAFaceWithoutArea() {
+  Points3 points(4, 3);
+  points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0;
+  Faces faces(2, 3);
+  faces << 0, 1, 2, 0, 2, 3;
+  return TriangleMesh(points, faces);
+}
+
+}  // namespace
+
 TEST(TargetMeasure, BlendsWithTheAreasOfAnImage) {
   const TriangleMesh mesh = authalic::testing::bumpyDisk(4);
   const TargetMeasure target(mesh);
@@ -58,22 +70,14 @@ TEST(TargetMeasure, DoesNotChangeWithTheScaleOfTheDensity) {
 }
 
 TEST(TargetMeasure, ClampsFacesWithoutAreaAndCountsThem) {
-  Points3 points(4, 3);
-  points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0;
-  Faces faces(2, 3);
-  faces << 0, 1, 2, 0, 2, 3;
-  const TargetMeasure target{TriangleMesh(points, faces)};
+  const TargetMeasure target(meshWithAFaceWithoutArea());
   EXPECT_EQ(target.clampedFaces(), 1);
   EXPECT_GT(target.faces()[0], 0);
   EXPECT_NEAR(target.faces().sum(), 1, 1e-14);
 }
 
 TEST(TargetMeasure, KeepsStarsExactBesideFacesWithoutArea) {
-  Points3 points(4, 3);
-  points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0;
-  Faces faces(2, 3);
-  faces << 0, 1, 2, 0, 2, 3;
-  const TargetMeasure target{TriangleMesh(points, faces)};
+  const TargetMeasure target(meshWithAFaceWithoutArea());
   EXPECT_EQ(target.shares()[0], 0);
   EXPECT_EQ(target.shares()[1], 1);
   for (const int v : {0, 2, 3}) EXPECT_NEAR(target.vertices()[v], 1.0 / 3, 1e-5);

@@ -18,9 +18,9 @@ constexpr std::size_t kSlowSteps = 8;
 
 // Where face steps end, in tolerances; vertex steps disturb the faces.
 struct Nearness {
-  double residual, meanLog;              // mean |ln r| of the faces, which sees small ones
-  double slowResidual, slowMeanLog;      // suffice where face steps get slow
-  double meanLogAfterVertices;           // is wanted
+  double residual, meanLog;          // the second of |ln r| over the faces: it sees small ones
+  double slowResidual, slowMeanLog;  // the same where face steps get slow
+  double meanLogAfterVertices;       // wanted in the end
 };
 
 constexpr Nearness kNear{0.4, 0.32, 0.8, 0.36, 0.5}, kNearEnough{0.7, 0.7, 0.9, 0.75, 0.8};
@@ -123,8 +123,8 @@ class AreaSolver {
     result_.image = exact;
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
-    if (converged_ || faces_.meanAbsLog(exact) <= near_.meanLogAfterVertices * options_.tolerance)
-      result_.status = Status::Converged;
+    const double wanted = near_.meanLogAfterVertices * options_.tolerance;
+    if (converged_ || faces_.meanAbsLog(exact) <= wanted) result_.status = Status::Converged;
     converged_ = true;
   }
 

@@ -55,10 +55,10 @@ auto finish(const SphereMesh& sphere, const TargetMeasure& target, const Authali
 }
 
 DistortionSummary measured(const DiskMesh& disk, const Points2& image, const TargetMeasure& target) {
-  return measureDistortion(disk.mesh(), image, target.faces()).summary;
+  return measureDistortion(disk.mesh(), image, target.shares()).summary;
 }
 DistortionSummary measured(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target) {
-  return measureSphericalDistortion(sphere.mesh(), image, target.faces()).summary;
+  return measureSphericalDistortion(sphere.mesh(), image, target.shares()).summary;
 }
 
 void requireNoFolds(int flippedFaces) {

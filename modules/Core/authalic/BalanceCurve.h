@@ -41,8 +41,8 @@ struct BalanceCurve {
 /// area solve.
 ///
 /// One conformal map serves all; the transport of a t starts from the line through the heights of the two before it.
-/// Tolerances are those of a curve to
-/// choose by: the map itself is then made to its own (vtkOptimalTransportMap with that balance).
+/// Tolerances are those of a curve to choose by: the map itself is then made to its own (vtkOptimalTransportMap with
+/// that balance).
 /// Guarantees: as optimalTransportMap and authalicMap for every point. Not guaranteed: that the curve is monotone.
 /// Complexity: one conformal map, then per point a transport and an area solve.
 /// @throws InvalidArgument from options; GeometryError when the conformal map has folds, or as optimalTransportMap and

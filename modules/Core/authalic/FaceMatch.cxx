@@ -17,6 +17,13 @@ constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse befo
 constexpr double kEndPull = 1e-3;         // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
+// τ of the first step, its factor per step, and where it usually ends, by the square of the goal.
+struct Pull {
+  double first, falls, usual;
+};
+
+constexpr Pull kNoPull{0, 1, 0}, kShortPull{0.01, 0.35, 1}, kLongPull{0.1, 0.5, 5};
+
 ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
   const Faces& faces = areas.faces();
   ElementAssembly::Unknowns elements(faces.rows(), 6);
@@ -47,10 +54,10 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
       values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
   solver_.analyze(assembly_.matrix());
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
-  const bool first = shapes == Shapes::First, free = shapes == Shapes::Free;
-  pull_ = free ? 0 : first ? 0.1 : 0.01;
-  pullFalls_ = first ? 0.5 : 0.35;
-  usualPull_ = free ? 0 : first ? 5 : 1;
+  const Pull& pull = shapes == Shapes::Free ? kNoPull : shapes == Shapes::First ? kLongPull : kShortPull;
+  pull_ = pull.first;
+  pullFalls_ = pull.falls;
+  usualPull_ = pull.usual;
 }
 
 void FaceMatch::restart(double goal) noexcept {

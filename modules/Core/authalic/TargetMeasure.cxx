@@ -56,7 +56,7 @@ TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd&
 }
 
 void TargetMeasure::raiseSmallTargets(const TriangleMesh& surface) {
-  const double smallest = smallestTarget(shares_);
+  const double smallest = kSmallestTarget / surface.faceCount();
   vertices_ = vertexStars(shares_, surface.faces(), surface.vertexCount());
   faces_ = shares_;
   clampedFaces_ = 0;
@@ -68,8 +68,8 @@ void TargetMeasure::raiseSmallTargets(const TriangleMesh& surface) {
     ++clampedFaces_;
   }
   faces_ /= faces_.sum();
-  const Eigen::VectorXd raised = vertexStars(faces_, surface.faces(), surface.vertexCount());
-  vertices_ = (vertices_.array() < smallest / 3).select(raised, vertices_);
+  const Eigen::VectorXd raisedStars = vertexStars(faces_, surface.faces(), surface.vertexCount());
+  vertices_ = (vertices_.array() < smallest / 3).select(raisedStars, vertices_);
   vertices_ /= vertices_.sum();
 }
 
@@ -100,10 +100,6 @@ TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::V
   result.shares_ /= result.shares_.sum();
   result.raiseSmallTargets(surface);
   return result;
-}
-
-double TargetMeasure::smallestTarget(const Eigen::VectorXd& faceMasses) {
-  return kSmallestTarget * faceMasses.sum() / static_cast<double>(faceMasses.size());
 }
 
 void requireTargetOf(const TriangleMesh& surface, const TargetMeasure& target) {

@@ -45,9 +45,6 @@ class TargetMeasure {
   [[nodiscard]] TargetMeasure blended(const TriangleMesh& surface, const Eigen::VectorXd& imageAreas,
                                       const Eigen::VectorXd& t) const;
 
-  /// The share below which a face's target is raised to it, for masses whose sum is the whole.
-  [[nodiscard]] static double smallestTarget(const Eigen::VectorXd& faceMasses);
-
   /// m shares, > 0, sum 1.
   [[nodiscard]] const Eigen::VectorXd& faces() const noexcept { return faces_; }
   /// m shares ≥ 0 before any was raised, sum 1: what a map is measured against.
