@@ -185,7 +185,7 @@ namespace {
 
 /// Scanner RAS → tkRAS: x_tk = (D P⁻¹)⁻¹ (x - c). D may be oblique but is a rotation up to rounding of its
 /// text, hence a full inverse rather than the transpose.
-std::vector<double> toTkRas(const SurfaceFile& surface) {
+std::vector<double> tkRasPoints(const SurfaceFile& surface) {
   const auto m = surface.geometry.tkRasToScanner();
   const auto minor = [&m](std::size_t r, std::size_t c) {
     const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
@@ -233,10 +233,17 @@ std::string geometryText(const VolumeGeometry& g) {
 
 }  // namespace
 
+void toTkRas(SurfaceFile& surface) {
+  if (surface.space == CoordinateSpace::ScannerRAS && surface.geometry.valid) {
+    surface.points = tkRasPoints(surface);
+    surface.space = CoordinateSpace::TkRAS;
+  }
+}
+
 void writeFreeSurferSurface(const std::string& path, const SurfaceFile& surface) {
   const bool geometry = surface.geometry.valid && surface.space != CoordinateSpace::Unknown;
   const bool convert = geometry && surface.space == CoordinateSpace::ScannerRAS;
-  const std::vector<double> points = convert ? toTkRas(surface) : surface.points;
+  const std::vector<double> points = convert ? tkRasPoints(surface) : surface.points;
   FileBytes bytes;
   bytes.reserve(64 + 4 * (surface.points.size() + surface.faces.size()));
   encodeText(bytes,

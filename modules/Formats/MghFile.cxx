@@ -1,6 +1,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "Formats/AtomicFile.h"
+#include "Formats/Gzip.h"
 #include "Formats/InputFile.h"
 #include "Formats/VolumeData.h"
 
@@ -126,5 +128,49 @@ VolumeFile readMgh(const std::string& path, int frame) {
                                     : "MGH without goodRAS: FreeSurfer's coronal default, true place unknown";
   return file;
 }
+
+namespace {
+
+template <class T>
+void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t type) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(kHeaderSize + volume.values.size() * sizeof(T));
+  const auto put = [&bytes](auto value) { encode(bytes, value, ByteOrder::Big); };
+  put(std::int32_t{1});
+  for (const int extent : volume.dimensions) {
+    put(static_cast<std::int32_t>(extent));
+  }
+  put(std::int32_t{1});
+  put(type);
+  put(std::int32_t{0});
+  put(std::int16_t{1});
+  const Eigen::Matrix3d m = volume.voxelToWorld.template topLeftCorner<3, 3>();
+  const Eigen::Vector3d delta = m.colwise().norm().transpose();
+  const auto& d = volume.dimensions;
+  const Eigen::Vector3d center =
+      volume.voxelToWorld.template topRightCorner<3, 1>() + m * Eigen::Vector3d(d[0], d[1], d[2]) / 2;
+  for (int axis = 0; axis < 3; ++axis) {
+    put(static_cast<float>(delta[axis]));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int row = 0; row < 3; ++row) {
+      put(static_cast<float>(m(row, axis) / delta[axis]));
+    }
+  }
+  for (int row = 0; row < 3; ++row) {
+    put(static_cast<float>(center[row]));
+  }
+  bytes.resize(kHeaderSize, 0);
+  for (const T value : volume.values) {
+    put(value);
+  }
+  const bool packed = path.back() == 'z';
+  writeFileAtomically(path, packed ? gzipped(path, bytes) : bytes);
+}
+
+}  // namespace
+
+void writeMgh(const std::string& path, const ScalarVolume& volume) { writeMghAs(path, volume, 3); }
+void writeMgh(const std::string& path, const LabelVolume& volume) { writeMghAs(path, volume, 1); }
 
 }  // namespace authalic

@@ -1,5 +1,4 @@
 #include <nifti2_io.h>
-#include <zlib.h>
 
 #include <Eigen/LU>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <filesystem>
 
 #include "Formats/AtomicFile.h"
+#include "Formats/Gzip.h"
 #include "Formats/InputFile.h"
 #include "Formats/NiftiHeader.h"
 #include "Formats/VolumeData.h"
@@ -134,50 +134,23 @@ nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dim
   return header;
 }
 
-/// Gzip without a time stamp, so that the same volume gives the same bytes.
-void writeCompressed(AtomicFile& file, const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  z_stream stream{};
-  if (deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw FormatError(path, "There is no memory left to compress the volume.");
-  }
-  std::vector<std::uint8_t> out(1U << 20);
-  std::size_t at = 0;
-  int code = Z_OK;
-  while (code != Z_STREAM_END) {
-    const std::size_t count = std::min<std::size_t>(bytes.size() - at, 1U << 24);
-    stream.next_in = const_cast<Bytef*>(bytes.data()) + at;
-    stream.avail_in = static_cast<uInt>(count);
-    stream.next_out = out.data();
-    stream.avail_out = static_cast<uInt>(out.size());
-    code = deflate(&stream, at + count == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-    at += count - stream.avail_in;
-    file.write(out.data(), out.size() - stream.avail_out);
-  }
-  deflateEnd(&stream);
-}
-
 template <class T>
 void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype) {
   const nifti_1_header header = makeHeader(path, volume.dimensions, volume.voxelToWorld, datatype);
   std::vector<std::uint8_t> bytes(352 + volume.values.size() * sizeof(T), 0);
   std::memcpy(bytes.data(), &header, sizeof(header));
   std::memcpy(bytes.data() + 352, volume.values.data(), volume.values.size() * sizeof(T));
-  AtomicFile file(path);
-  if (path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0) {
-    writeCompressed(file, path, bytes);
-  } else {
-    file.write(bytes);
-  }
-  file.commit();
+  const bool packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
+  writeFileAtomically(path, packed ? gzipped(path, bytes) : bytes);
 }
 
 }  // namespace
 
 void writeVolume(const std::string& path, const ScalarVolume& volume) {
-  writeNifti(path, volume, DT_FLOAT32);
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_FLOAT32);
 }
 void writeVolume(const std::string& path, const LabelVolume& volume) {
-  writeNifti(path, volume, DT_INT32);
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_INT32);
 }
 
 }  // namespace authalic

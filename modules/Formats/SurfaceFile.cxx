@@ -61,6 +61,9 @@ FileKind recognise(const FileBytes& bytes) {
         return FileKind::Other;
     }
   }
+  if (bytes.size() >= 16 && bytes[0] == 'M' && bytes[1] == 'Z' && bytes[3] == 0) {
+    return FileKind::Mz3;
+  }
   if (contains(bytes, "<GIFTI") || contains(bytes, "<!DOCTYPE GIFTI")) {
     return FileKind::Gifti;
   }
@@ -89,6 +92,8 @@ const char* fileKindName(FileKind kind) noexcept {
       return "an OFF file";
     case FileKind::Ply:
       return "a PLY file";
+    case FileKind::Mz3:
+      return "an MZ3 file";
     case FileKind::Other:
       break;
   }
@@ -130,10 +135,17 @@ SurfaceFile readSurface(const std::string& path) {
     case FileKind::Ply:
       surface = parsePly(path, bytes);
       break;
+    case FileKind::Mz3:
+      surface = parseMz3Surface(path, bytes);
+      break;
+    case FileKind::FreeSurferPatch:
+      throw FormatError(path,
+                        "A surface with faces is needed, but this is a FreeSurfer patch, which takes them from the "
+                        "surface it was cut from; name that one with it (authalic convert --patch-of).");
     default:
       if (kind != FileKind::Other || !isObjName(path)) {
         throw FormatError(
-            path, std::string("A surface (FreeSurfer, GIFTI, OFF, PLY or OBJ) is needed, but the file is ") +
+            path, std::string("A surface (FreeSurfer, GIFTI, MZ3, OFF, PLY or OBJ) is needed, but the file is ") +
                       fileKindName(kind) + ".");
       }
       surface = parseObj(path, bytes);

@@ -25,8 +25,8 @@ struct SurfaceFile {
   [[nodiscard]] std::size_t faceCount() const noexcept { return faces.size() / 3; }
 };
 
-/// Reads a FreeSurfer surface (triangle, old and new quadrangle), a GIFTI surface, an ASCII OFF file, a PLY
-/// file or a Wavefront OBJ file, gzipped or not; the kind is found from the content, OBJ alone from its name.
+/// Reads a FreeSurfer surface (triangle, old and new quadrangle), a GIFTI surface, an MZ3 or ASCII OFF file, a
+/// PLY file or a Wavefront OBJ file, gzipped or not; the kind is found from the content, OBJ alone from its name.
 /// Of OBJ only vertices and faces are read: texture seams do not tear the surface.
 ///
 /// Guarantees: every face index lies in [0, n); order of vertices and faces as in the file (polygons of OFF
@@ -38,7 +38,7 @@ struct SurfaceFile {
 ///  - GIFTI: DataSpace NIFTI_XFORM_SCANNER_ANAT → scanner RAS; else VolGeom with a centre → tkRAS; else
 ///  unknown.
 ///    CoordinateSystemTransformMatrix is not applied (nor do Workbench and nibabel).
-///  - OFF, PLY, OBJ: unknown.
+///  - MZ3, OFF, PLY, OBJ: unknown.
 /// @throws FormatError when the file is missing, of another kind, truncated or inconsistent
 [[nodiscard]] SurfaceFile readSurface(const std::string& path);
 
@@ -47,6 +47,10 @@ struct SurfaceFile {
 /// overrides what the file says.
 /// @throws FormatError when tkRAS is asserted but the surface carries no volume geometry
 void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume = {});
+
+/// Brings points from scanner RAS to tkRAS, where FreeSurfer keeps them; a surface of another space or without
+/// volume geometry stays as it is.
+void toTkRas(SurfaceFile& surface);
 
 /// FreeSurfer triangle file. With a valid geometry the coordinates are stored in tkRAS with that geometry;
 /// scanner RAS without geometry is stored as is and marked useRealRAS; unknown space is stored as is,

@@ -33,6 +33,11 @@ struct VoxelCoding {
 [[nodiscard]] VolumeFile readNifti(const std::string& path, int frame);
 [[nodiscard]] VolumeFile readMgh(const std::string& path, int frame);
 
+/// Whether the name ends in .mgh, .mgz or .mgh.gz.
+[[nodiscard]] bool isMghName(const std::string& path);
+void writeMgh(const std::string& path, const ScalarVolume& volume);
+void writeMgh(const std::string& path, const LabelVolume& volume);
+
 /// @throws FormatError unless 0 ≤ frame < frames
 void checkFrame(const std::string& path, int frame, std::int64_t frames);
 

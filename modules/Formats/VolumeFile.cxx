@@ -172,8 +172,12 @@ LabelVolume VolumeFile::labels(const std::string& path) const {
   return result;
 }
 
+bool isMghName(const std::string& path) {
+  return endsWith(path, ".mgz") || endsWith(path, ".mgh") || endsWith(path, ".mgh.gz");
+}
+
 VolumeFile readVolume(const std::string& path, int frame) {
-  if (endsWith(path, ".mgz") || endsWith(path, ".mgh") || endsWith(path, ".mgh.gz")) {
+  if (isMghName(path)) {
     return readMgh(path, frame);
   }
   if (endsWith(path, ".nii") || endsWith(path, ".nii.gz") || endsWith(path, ".hdr") ||

@@ -51,9 +51,10 @@ struct VolumeFile {
 ///         contradicts itself, the frame does not exist, or the type is RGB, complex, binary or quadruple
 [[nodiscard]] VolumeFile readVolume(const std::string& path, int frame = 0);
 
-/// NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
+/// A name that ends in .mgh or .mgz (gzipped): MGH, float32 or int32, goodRAS set, the axes as direction cosines.
+/// Any other: NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
 /// orthogonal, with code 1 (scanner). Affines become 32-bit. Written whole or not at all.
-/// @throws FormatError when a dimension exceeds 32767 or the file cannot be written
+/// @throws FormatError when a dimension exceeds 32767 (NIfTI) or the file cannot be written
 void writeVolume(const std::string& path, const ScalarVolume& volume);
 void writeVolume(const std::string& path, const LabelVolume& volume);
 
