@@ -31,6 +31,10 @@ struct NiftiHeader {
 [[nodiscard]] std::uint64_t niftiHeaderSize(const std::string& path,
                                             const std::vector<std::uint8_t>& firstFour);
 
+/// The type of a NIfTI code.
+/// @throws FormatError when it is complex, RGB, binary, quadruple or unknown
+[[nodiscard]] VoxelType niftiVoxelType(const std::string& path, int code);
+
 /// Checks and interprets the bytes of a header.
 ///
 /// Rejected: a magic other than n+1, ni1, n+2, ni2 (an Analyze header, for instance); vox_offset that is not
