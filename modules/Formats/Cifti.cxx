@@ -88,7 +88,7 @@ class CiftiParser : private XmlReader {
   [[nodiscard]] std::int64_t integer(const XmlAttributes& attributes, const char* key) const {
     const auto value = parseNumber<std::int64_t>(get(attributes, key));
     if (!value || *value < 0 || *value > 0x7FFFFFFF) {
-      throw FormatError(path_, std::string("The attribute ") + key + " of the CIFTI header should be a count, but is \"" +
+      throw FormatError(path_, std::string("The attribute ") + key + " of the header should be a count, but is \"" +
                                    get(attributes, key) + "\".");
     }
     return *value;
@@ -220,8 +220,8 @@ MatrixHeader parseMatrixHeader(const std::string& path, const std::vector<std::u
   header.rows = dim(6);
   if (dim(0) != 6 || dim(1) != 1 || dim(2) != 1 || dim(3) != 1 || dim(4) != 1 || header.maps < 1 || header.rows < 1 ||
       header.maps > 0x7FFFFFFF || header.rows > 0x7FFFFFFF) {
-    throw FormatError(path, "The matrix of a CIFTI file has the dimensions 1 × 1 × 1 × 1 × maps × rows, but this header "
-                            "claims others.", 16);
+    throw FormatError(path, "The matrix of a CIFTI file is 1 × 1 × 1 × 1 × maps × rows, but this header claims other "
+                            "dimensions.", 16);
   }
   header.coding.type = niftiVoxelType(path, decode<std::int16_t>(b + 12, order));
   setScalingAndOffset(path, b, header);
@@ -295,7 +295,8 @@ const CiftiSurface& ciftiSurface(const std::string& path, const CiftiFile& file,
   std::string names;
   int fitting = 0;
   for (const CiftiSurface& surface : file.surfaces) {
-    names += (names.empty() ? "" : ", ") + surface.structure + " (" + std::to_string(surface.vertexCount) + " vertices)";
+    names += (names.empty() ? "" : ", ") + surface.structure + " (" + std::to_string(surface.vertexCount) +
+             " vertices)";
     const bool fits = structure.empty() ? file.surfaces.size() == 1 ||
                                               static_cast<std::size_t>(surface.vertexCount) == vertexCount
                                         : surface.structure == structure;
@@ -305,7 +306,7 @@ const CiftiSurface& ciftiSurface(const std::string& path, const CiftiFile& file,
   if (fitting != 1) {
     throw FormatError(path, "One surface of the CIFTI file is needed, but " + std::to_string(fitting) + " are " +
                                 (structure.empty() ? "of that size" : "called \"" + structure + "\"") + "; it holds " +
-                                (names.empty() ? "none" : names) + ". Say which with --structure (StructureName).");
+                                (names.empty() ? "none" : names) + "; name the structure.");
   }
   return *found;
 }

@@ -141,7 +141,7 @@ SurfaceFile readSurface(const std::string& path) {
     case FileKind::FreeSurferPatch:
       throw FormatError(path,
                         "A surface with faces is needed, but this is a FreeSurfer patch, which takes them from the "
-                        "surface it was cut from; name that one with it (authalic convert --patch-of).");
+                        "surface it was cut from; read it with readPatch and patchSurface.");
     default:
       if (kind != FileKind::Other || !isObjName(path)) {
         throw FormatError(
