@@ -1,7 +1,8 @@
 // Writes what Authalic's readers make of a file as plain arrays, for the comparison with other readers:
 //   format_dump surface|scalars|annot|label|volume FILE PREFIX [FRAME]
 //   format_dump patch FILE PREFIX WHOLE; cifti FILE PREFIX STRUCTURE; sparse FILE PREFIX VERTICES
-//   format_dump write-gifti|write-freesurfer|write-off|write-shape|write-label|write-volume|write-annot|write-mz3|write-paint FILE OUT
+//   format_dump write-gifti|write-freesurfer|write-off|write-shape|write-label|write-volume FILE OUT
+//   format_dump write-annot|write-mz3|write-paint FILE OUT
 // Arrays go to PREFIX.<name> (little endian), facts to PREFIX.txt. A FormatError goes to stderr, exit code 5.
 #include <cmath>
 #include <cstdio>
