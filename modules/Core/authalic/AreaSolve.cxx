@@ -84,7 +84,7 @@ class AreaSolver {
         if (residuals.back() <= kNearlyEnough * goal && meanLog <= kNearlyMeanLog * goal) break;
         faces_.relax();
       }
-      if (slower(kSlowSteps, kSlow)) break;
+      if (slower(kSlowSteps, residuals.back() <= kNearlyEnough * goal ? kGettingSlow : kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");
@@ -122,8 +122,8 @@ class AreaSolver {
     result_.image = exact;
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
+    if (converged_ || faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
     converged_ = true;
-    if (faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
   }
 
   const AuthalicMapOptions& options_;
@@ -131,7 +131,7 @@ class AreaSolver {
   FaceMatch faces_;
   VertexMatch vertices_;
   AreaSolveResult result_;
-  bool converged_ = false;  // `result_.image` is within both tolerances
+  bool converged_ = false;  // `result_.image` is within both tolerances; small faces have one more round
 };
 
 }  // namespace

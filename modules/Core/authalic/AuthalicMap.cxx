@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kWithinSight = 0.2;  // mean |ln r| of the stars, from where face steps converge
 constexpr double kWellInSight = 0.1;  // the same for a start that gets better with every round
-constexpr double kFewFolds = 0.002;   // of the faces, worth unfolding
 constexpr double kUsable = 2;         // the same for a given initial map, which is then not balanced
 
 void require(bool condition, const std::string& required, double found) {
@@ -68,9 +67,8 @@ Start balanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasur
 // better angles.
 Start stretchedOrBalanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
                           const AuthalicMapOptions& options, const Execution& execution) {
-  StretchStart stretched = stretchStart(disk.mesh(), {disk.topology(), disk.topology().onBoundary(), {}}, boundary,
-                                        target, options.solver, kWellInSight, execution);
-  if (stretched.error <= kWithinSight && stretched.folded <= kFewFolds * disk.mesh().faceCount()) {
+  StretchStart stretched = stretchStart(disk, boundary, target, options.solver, kWellInSight, execution);
+  if (stretched.usable(kWithinSight, disk.mesh().faceCount())) {
     UnfoldResult unfolded = unfold(disk.topology(), std::move(stretched.image), execution);
     if (unfolded.flippedFaces == 0) return {std::move(unfolded.image), 0, true};
   }
@@ -116,15 +114,15 @@ AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const Targ
   if (!start.stretched) return solveAreas(areas, disk.mesh(), target, start.image, options, execution);
   const int all = options.maxIterations;
   options.maxIterations = (all + 1) / 2;
-  AreaSolveResult solved = solveAreas(areas, disk.mesh(), target, start.image, options, execution);
+  AreaSolveResult solved = solveAreas(areas, disk.mesh(), target, start.image, options, execution.part(0, 0.6));
   options.maxIterations = all - solved.iterations;
   if (solved.status == Status::Converged || solved.status == Status::Cancelled || options.maxIterations == 0) {
     return solved;
   }
-  const Start other = balanced(disk, boundary, target, options, execution.part(0.5, 0.6));
+  const Start other = balanced(disk, boundary, target, options, execution.part(0.6, 0.7));
   if (other.folded > 0) return solved;
   return better(std::move(solved), solveAreas(areas, disk.mesh(), target, other.image, options,
-                                              execution.part(0.6, 1), Shapes::Free));
+                                              execution.part(0.7, 1), Shapes::Free));
 }
 
 }  // namespace

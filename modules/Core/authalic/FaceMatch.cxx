@@ -8,14 +8,14 @@ namespace authalic {
 namespace {
 
 constexpr double kSmallestRatio = 1e-3;   // of face areas, in the weights
-constexpr double kFullStep = 0.5;         // of the step: faces that collapse before are slowed by themselves
-constexpr double kSlowed = 0.5;           // of what would collapse a face
+constexpr double kPinned = 0.5;           // of the step: faces that collapse before are slowed by themselves
+constexpr double kSlowed = 0.5;           // to this part of what would collapse them
 constexpr double kMarginToFlip = 0.9;
-constexpr double kShorter = 0.7;  // than the step before, where that did not lower the objective
-constexpr int kAttempts = 24;
-constexpr double kCollapsesEarly = 1.5;  // of a step: faces that collapse before it get stiffer
-constexpr double kPullFalls = 0.35;      // per step
-constexpr double kEndPull = 1e-3;        // of the usual one
+constexpr double kShorter = 0.7;          // than the step before, where that did not lower the objective
+constexpr int kAttempts = 24;             // at a step
+constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
+constexpr double kPullFalls = 0.35;       // per step
+constexpr double kEndPull = 1e-3;         // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
 ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
@@ -132,7 +132,7 @@ Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordi
     Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
     for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
       const double flip = areas_.firstFlip(image, displacement, f);
-      for (int k = 0; k < 3 && flip < kFullStep; ++k) {
+      for (int k = 0; k < 3 && flip < kPinned; ++k) {
         part[faces(f, k)] = std::min(part[faces(f, k)], kSlowed * flip);
       }
     }

@@ -6,6 +6,7 @@
 #include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
+
 std::vector<PlanarAreas::Ear> PlanarAreas::ears(const Faces& faces, const SlidingBoundary& sliding, int vertexCount) {
   std::vector<Ear> result;
   if (!sliding.onCircle()) return result;

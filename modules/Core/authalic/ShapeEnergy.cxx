@@ -1,5 +1,6 @@
 #include "Core/authalic/ShapeEnergy.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace authalic {

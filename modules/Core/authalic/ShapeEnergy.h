@@ -18,7 +18,7 @@ namespace authalic {
 ///
 /// Of faces with given areas it is least where angles are preserved: an image at its target areas has
 /// E = ½ Σ_t ω_t a_t (σ₁/σ₂ + σ₂/σ₁). The weights of needles are scaled down, so that none is stiffer than a triangle
-/// with an angle of about 3°.
+/// with an angle of 1.4°.
 class ShapeEnergy {
  public:
   /// @param areas       of the domain; kept by reference

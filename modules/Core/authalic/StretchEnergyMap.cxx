@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "Core/authalic/Stopwatch.h"
+#include "Core/authalic/StretchWeights.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricSystem.h"
@@ -30,20 +31,6 @@ double residualOf(const Points2& image, const Faces& faces, const Eigen::VectorX
     if (target[f] > 0) sum += std::pow(areas[f] * scale - target[f], 2) / target[f];
   }
   return std::sqrt(sum);
-}
-
-// ½ r cot θ of each half-edge = ¼ (x_i − x_k)·(x_j − x_k) / (S m): r and cot are finite where their product is.
-HalfEdgeWeights stretchWeights(const Points2& image, const Faces& faces, const Eigen::VectorXd& target) {
-  const double total = signedFaceAreas(image, faces).sum();
-  HalfEdgeWeights weights(faces.rows(), 3);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const Eigen::RowVector2d apex = image.row(faces(f, (k + 2) % 3));
-      weights(f, k) = 0.25 * (image.row(faces(f, k)) - apex).dot(image.row(faces(f, (k + 1) % 3)) - apex) /
-                      (total * target[f]);
-    }
-  }
-  return weights;
 }
 
 std::vector<char> complementOf(std::vector<char> flags) {

@@ -20,7 +20,6 @@ namespace {
 constexpr std::array<double, 7> kHeights{0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35};  // where the sphere is divided
 constexpr int kRoundsWithEars = 20;
 constexpr double kWellInSight = 0.5;  // of what is good enough, for a start that gets better with every round
-constexpr double kFewFolds = 0.002;   // of the faces, worth unfolding
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -159,9 +158,9 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   tutte.startVertex = local.number[at(startVertex)];
   tutte.solver = backend;
   const Points2 plain = barycentricMap(disk, tutte).image;
-  const StretchStart stretched = stretchStart(disk.mesh(), {disk.topology(), disk.topology().onBoundary(), {}}, plain,
-                                              own, backend, kWellInSight * goodEnough, execution.part(0, 0.5));
-  half.image = stretched.error <= goodEnough && stretched.folded <= kFewFolds * disk.mesh().faceCount()
+  const StretchStart stretched =
+      stretchStart(disk, plain, own, backend, kWellInSight * goodEnough, execution.part(0, 0.5));
+  half.image = stretched.usable(goodEnough, disk.mesh().faceCount())
                    ? stretched.image
                    : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 1));
   return half;
