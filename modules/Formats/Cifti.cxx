@@ -268,6 +268,17 @@ void fillMaps(const std::string& path, const MatrixHeader& header, const std::ve
 
 }  // namespace
 
+bool isCifti(const std::string& path) {
+  const auto bytes = InputFile(path).readUpTo(kHeaderSize);
+  if (bytes.size() < kHeaderSize) {
+    return false;
+  }
+  const bool little = decode<std::int32_t>(bytes.data(), ByteOrder::Little) == 540;
+  const bool big = decode<std::int32_t>(bytes.data(), ByteOrder::Big) == 540;
+  const auto intent = decode<std::int32_t>(bytes.data() + 504, little ? ByteOrder::Little : ByteOrder::Big);
+  return (little || big) && intent >= 3000 && intent < 3100;
+}
+
 CiftiFile readCifti(const std::string& path) {
   InputFile input(path);
   const MatrixHeader header = parseMatrixHeader(path, input.read(kHeaderSize, "the CIFTI header"));

@@ -30,6 +30,10 @@ struct CiftiFile {
   std::vector<CiftiMap> maps;
 };
 
+/// Whether the header is that of a CIFTI-2 file.
+/// @throws FormatError when the file is missing or empty
+[[nodiscard]] bool isCifti(const std::string& path);
+
 /// Reads dscalar, dlabel and dtseries files. Memory grows with the data really there, never with the header.
 /// @throws FormatError when the file is missing, of another kind (parcellated or connectivity files, for
 ///         instance), truncated, or its header and matrix disagree

@@ -98,6 +98,7 @@ VolumeGeometry parseGeometryText(ByteCursor& cursor) {
 /// Tags after the faces. A footer that cannot be followed ends the reading; the geometry is kept.
 void parseFooter(ByteCursor& cursor, SurfaceFile& surface) {
   bool realRas = false;
+  int others = 0;
   while (cursor.remaining() >= 4) {
     const auto tag = cursor.next<std::int32_t>("a tag");
     if (tag == kTagUseRealRas && cursor.remaining() >= 4) {
@@ -110,10 +111,12 @@ void parseFooter(ByteCursor& cursor, SurfaceFile& surface) {
         break;
       }
       cursor.seek(cursor.position() + static_cast<std::size_t>(length));
+      ++others;
     } else {
       break;
     }
   }
+  surface.notRead = others == 0 ? "" : std::to_string(others) + (others == 1 ? " tag" : " tags") + " of the footer";
   if (realRas) {
     surface.space = CoordinateSpace::ScannerRAS;
     surface.spaceReason = "FreeSurfer surface marked useRealRAS";
@@ -240,7 +243,11 @@ void toTkRas(SurfaceFile& surface) {
   }
 }
 
-void writeFreeSurferSurface(const std::string& path, const SurfaceFile& surface) {
+void writeFreeSurferSurface(const std::string& path, const SurfaceFile& original) {
+  SurfaceFile surface = original;
+  if (surface.space == CoordinateSpace::LPS) {
+    toScannerRas(surface);
+  }
   const bool geometry = surface.geometry.valid && surface.space != CoordinateSpace::Unknown;
   const bool convert = geometry && surface.space == CoordinateSpace::ScannerRAS;
   const std::vector<double> points = convert ? tkRasPoints(surface) : surface.points;

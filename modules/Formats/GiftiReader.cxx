@@ -323,6 +323,9 @@ SurfaceFile parseGiftiSurface(const std::string& path, const FileBytes& bytes) {
   surface.metadata = points.metadata;
   surface.geometry = volumeGeometryOf(points.metadata);
   decideSpace(points, surface);
+  if (file.arrays.size() > 2) {
+    surface.notRead = std::to_string(file.arrays.size() - 2) + " further arrays (read them as per-vertex data)";
+  }
   return surface;
 }
 

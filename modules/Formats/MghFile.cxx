@@ -1,4 +1,5 @@
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
 #include "Formats/AtomicFile.h"
@@ -118,9 +119,14 @@ VolumeFile readMgh(const std::string& path, int frame) {
   input.skip(before, "the frames before the one asked for");
   const auto voxels = input.read(frameBytes, "the voxels");
   input.skip(after, "the frames after the one asked for");
-  input.drain();
+  const std::uint64_t end = kHeaderSize + before + frameBytes + after;
+  constexpr std::uint64_t scanParameters = 20;  // TR, flip angle, TE, TI, field of view
+  const bool tagged = input.drain() > end + scanParameters;
 
   VolumeFile file;
+  file.storedType = codingName(header.coding);
+  file.notRead = tagged ? "tags" : "";
+  file.transformCode = header.goodRas ? 1 : 0;
   file.volume = decodeVoxels(voxels, header.coding, header.dimensions, header.voxelToWorld);
   file.frames = static_cast<int>(header.frames);
   file.space = header.goodRas ? CoordinateSpace::ScannerRAS : CoordinateSpace::Unknown;
@@ -130,6 +136,23 @@ VolumeFile readMgh(const std::string& path, int frame) {
 }
 
 namespace {
+
+/// Voxel sizes, direction cosines of x, y and z, and the centre, as the header holds them.
+std::array<float, 15> placeOf(const std::array<int, 3>& d, const Eigen::Matrix4d& affine) {
+  const Eigen::Matrix3d m = affine.topLeftCorner<3, 3>();
+  const Eigen::Vector3d delta = m.colwise().norm().transpose();
+  const Eigen::Vector3d center = affine.topRightCorner<3, 1>() + m * Eigen::Vector3d(d[0], d[1], d[2]) / 2;
+  std::array<float, 15> place{};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    place[at] = static_cast<float>(delta[axis]);
+    place[12 + at] = static_cast<float>(center[axis]);
+    for (Eigen::Index row = 0; row < 3; ++row) {
+      place[3 + 3 * at + static_cast<std::size_t>(row)] = static_cast<float>(m(row, axis) / delta[axis]);
+    }
+  }
+  return place;
+}
 
 template <class T>
 void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t type) {
@@ -144,21 +167,8 @@ void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t
   put(type);
   put(std::int32_t{0});
   put(std::int16_t{1});
-  const Eigen::Matrix3d m = volume.voxelToWorld.template topLeftCorner<3, 3>();
-  const Eigen::Vector3d delta = m.colwise().norm().transpose();
-  const auto& d = volume.dimensions;
-  const Eigen::Vector3d center =
-      volume.voxelToWorld.template topRightCorner<3, 1>() + m * Eigen::Vector3d(d[0], d[1], d[2]) / 2;
-  for (int axis = 0; axis < 3; ++axis) {
-    put(static_cast<float>(delta[axis]));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int row = 0; row < 3; ++row) {
-      put(static_cast<float>(m(row, axis) / delta[axis]));
-    }
-  }
-  for (int row = 0; row < 3; ++row) {
-    put(static_cast<float>(center[row]));
+  for (const float number : placeOf(volume.dimensions, volume.voxelToWorld)) {
+    put(number);
   }
   bytes.resize(kHeaderSize, 0);
   for (const T value : volume.values) {
@@ -169,6 +179,16 @@ void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t
 }
 
 }  // namespace
+
+Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine) {
+  std::vector<std::uint8_t> bytes;
+  for (const float number : placeOf(dimensions, affine)) {
+    encode(bytes, number, ByteOrder::Big);
+  }
+  const std::string path;
+  ByteCursor cursor(path, bytes);
+  return orientation(cursor, dimensions, true);
+}
 
 void writeMgh(const std::string& path, const ScalarVolume& volume) { writeMghAs(path, volume, 3); }
 void writeMgh(const std::string& path, const LabelVolume& volume) { writeMghAs(path, volume, 1); }

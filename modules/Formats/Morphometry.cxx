@@ -11,7 +11,7 @@
 #include "Formats/Mz3.h"
 #include "Formats/SurfaceParsers.h"
 #include "Formats/TextNumbers.h"
-#include "Formats/VolumeFile.h"
+#include "Formats/VolumeData.h"
 
 namespace authalic {
 
@@ -102,8 +102,14 @@ std::vector<float> firstOverlay(const std::string& path, const FileBytes& bytes)
   return std::move(file.layers.front());
 }
 
-std::vector<float> mghScalars(const std::string& path) {
-  const VolumeFile file = readVolume(path);
+bool isVolumeName(const std::string& path) {
+  return isMghName(path) || endsWith(path, ".nii") || endsWith(path, ".nii.gz");
+}
+
+/// One frame; `frames` becomes the number there are.
+std::vector<float> frameScalars(const std::string& path, int frame, int& frames) {
+  const VolumeFile file = readVolume(path, frame);
+  frames = file.frames;
   const auto& d = file.dimensions();
   const auto wide = std::count_if(d.begin(), d.end(), [](int extent) { return extent > 1; });
   if (wide > 1) {
@@ -146,12 +152,22 @@ std::vector<float> parseTextScalars(const std::string& path, const FileBytes& by
 
 }  // namespace
 
+std::vector<std::vector<float>> readVertexFrames(const std::string& path) {
+  std::vector<std::vector<float>> all;
+  int frames = 1;
+  for (int frame = 0; frame < frames; ++frame) {
+    all.push_back(frameScalars(path, frame, frames));
+  }
+  return all;
+}
+
 std::vector<float> readVertexScalars(const std::string& path, std::size_t vertexCount) {
   if (endsWith(path, ".w")) {
     return paintScalars(path, vertexCount);
   }
-  if (endsWith(path, ".mgh") || endsWith(path, ".mgz") || endsWith(path, ".mgh.gz")) {
-    return mghScalars(path);
+  if (isVolumeName(path)) {
+    int frames = 1;
+    return frameScalars(path, 0, frames);
   }
   const FileBytes bytes = readBytes(path);
   switch (const FileKind kind = recognise(bytes)) {

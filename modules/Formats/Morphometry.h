@@ -32,7 +32,7 @@ struct SparseScalars {
 };
 
 /// One number per vertex from a FreeSurfer morphometry file (curv, thickness, sulc, area; new and old
-/// layout), a FreeSurfer w file, an .mgh/.mgz of n×1×1, the first metric of a GIFTI file, the first overlay of
+/// layout), a FreeSurfer w file, an .mgh, .mgz or .nii of n×1×1, the first metric of a GIFTI file, the first overlay of
 /// an MZ3 file, or text with one number per line ("n/a" and "nan" are NaN, lines that begin with # are passed
 /// over). Gzip is undone.
 ///
@@ -55,9 +55,13 @@ struct SparseScalars {
 /// @throws FormatError as readVertexScalars does
 [[nodiscard]] Annotation readAnnot(const std::string& path, std::size_t vertexCount = 0);
 
-/// The vertices of a FreeSurfer .label text file, in its order; entries without vertex (-1) are left out.
+/// Vertices and values of a FreeSurfer .label text file, in its order; entries without vertex (-1) are left out.
 /// @throws FormatError as readVertexScalars does
-[[nodiscard]] std::vector<int> readLabel(const std::string& path);
+[[nodiscard]] SparseScalars readLabel(const std::string& path);
+
+/// Every frame of an .mgh, .mgz or NIfTI file of n × 1 × 1, each one number per vertex.
+/// @throws FormatError as readVertexScalars does, and when the file is a volume
+[[nodiscard]] std::vector<std::vector<float>> readVertexFrames(const std::string& path);
 
 /// New-layout FreeSurfer morphometry file.
 /// @param faceCount  number of triangles of the surface, which the file states; readers ignore it

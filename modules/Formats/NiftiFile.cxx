@@ -68,6 +68,11 @@ VolumeFile readNifti(const std::string& path, int frame) {
   file.space = header.space;
   file.spaceReason = std::move(header.spaceReason);
   file.warnings = std::move(header.warnings);
+  file.transformCode = header.transformCode;
+  file.storedType = codingName(header.coding);
+  const bool extended = !header.pair && header.dataOffset > (header.version == 1 ? 352U : 544U);
+  file.notRead = std::string(header.described ? "description" : "") + (header.described && extended ? ", " : "") +
+                 (extended ? "extensions" : "");
   return file;
 }
 
@@ -88,7 +93,7 @@ void setQform(nifti_1_header& header, const Eigen::Matrix4d& affine) {
   }
   double b, c, d, x, y, z, dx, dy, dz, qfac;
   nifti_dmat44_to_quatern(matrix, &b, &c, &d, &x, &y, &z, &dx, &dy, &dz, &qfac);
-  header.qform_code = NIFTI_XFORM_SCANNER_ANAT;
+  header.qform_code = header.sform_code;
   header.quatern_b = static_cast<float>(b);
   header.quatern_c = static_cast<float>(c);
   header.quatern_d = static_cast<float>(d);
@@ -99,7 +104,7 @@ void setQform(nifti_1_header& header, const Eigen::Matrix4d& affine) {
 }
 
 nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dimensions,
-                          const Eigen::Matrix4d& affine, int datatype) {
+                          const Eigen::Matrix4d& affine, int datatype, int transformCode) {
   nifti_1_header header{};
   header.sizeof_hdr = 348;
   header.regular = 'r';
@@ -123,7 +128,7 @@ nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dim
   header.vox_offset = 352;
   header.scl_slope = 1;
   header.xyzt_units = NIFTI_UNITS_MM;
-  header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
+  header.sform_code = static_cast<short>(transformCode);
   for (int c = 0; c < 4; ++c) {
     header.srow_x[c] = static_cast<float>(affine(0, c));
     header.srow_y[c] = static_cast<float>(affine(1, c));
@@ -135,8 +140,9 @@ nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dim
 }
 
 template <class T>
-void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype) {
-  const nifti_1_header header = makeHeader(path, volume.dimensions, volume.voxelToWorld, datatype);
+void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype, int transformCode) {
+  const nifti_1_header header =
+      makeHeader(path, volume.dimensions, volume.voxelToWorld, datatype, transformCode);
   std::vector<std::uint8_t> bytes(352 + volume.values.size() * sizeof(T), 0);
   std::memcpy(bytes.data(), &header, sizeof(header));
   std::memcpy(bytes.data() + 352, volume.values.data(), volume.values.size() * sizeof(T));
@@ -146,11 +152,11 @@ void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype
 
 }  // namespace
 
-void writeVolume(const std::string& path, const ScalarVolume& volume) {
-  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_FLOAT32);
+void writeVolume(const std::string& path, const ScalarVolume& volume, int transformCode) {
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_FLOAT32, transformCode);
 }
-void writeVolume(const std::string& path, const LabelVolume& volume) {
-  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_INT32);
+void writeVolume(const std::string& path, const LabelVolume& volume, int transformCode) {
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_INT32, transformCode);
 }
 
 }  // namespace authalic

@@ -202,7 +202,9 @@ Affine checkedAffine(const nifti_dmat44& m, double unit) {
   return {affine.allFinite() && std::abs(determinant) > 1e-12, affine};
 }
 
-const char* codeName(int code) {
+}  // namespace
+
+const char* transformCodeName(int code) noexcept {
   switch (code) {
     case 1:
       return "scanner";
@@ -218,6 +220,8 @@ const char* codeName(int code) {
       return "unnamed";
   }
 }
+
+namespace {
 
 /// Largest distance in mm between where two affines put a corner of the volume.
 double disagreement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b,
@@ -265,7 +269,8 @@ void orient(const std::string& path, const RawHeader& raw, const nifti_image& im
     header.space = CoordinateSpace::ScannerRAS;
     const int code = sform.valid ? raw.sformCode : raw.qformCode;
     header.spaceReason = std::string("NIfTI ") + (sform.valid ? "sform" : "qform") + ", code " +
-                         std::to_string(code) + " (" + codeName(code) + ")";
+                         std::to_string(code) + " (" + transformCodeName(code) + ")";
+    header.transformCode = code;
     return;
   }
   nifti_dmat44 sizes{};
@@ -349,6 +354,7 @@ NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uin
   if ((raw.units & 7) == 0) {
     header.warnings.emplace_back("The unit of length is not stated; millimetres were assumed.");
   }
+  header.described = fields.at<std::uint8_t>(header.version == 1 ? 148 : 240) != 0;
   const NiftiImage image = interpret(path, bytes, header.version);
   orient(path, raw, *image, header);
   return header;

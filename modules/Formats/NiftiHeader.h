@@ -23,6 +23,8 @@ struct NiftiHeader {
   Eigen::Matrix4d voxelToWorld = Eigen::Matrix4d::Identity();
   CoordinateSpace space = CoordinateSpace::Unknown;
   std::string spaceReason;
+  int transformCode = 0;
+  bool described = false;  ///< it has a description
   std::vector<std::string> warnings;
 };
 

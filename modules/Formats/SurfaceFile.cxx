@@ -1,5 +1,6 @@
 #include "Formats/SurfaceFile.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -115,6 +116,41 @@ void checkFaceIndices(const std::string& path, const SurfaceFile& surface) {
   }
 }
 
+CoordinateSpace spaceComment(const std::string& header) {
+  for (const CoordinateSpace space : {CoordinateSpace::ScannerRAS, CoordinateSpace::LPS}) {
+    if (header.find(spaceComment(space)) != std::string::npos) {
+      return space;
+    }
+  }
+  return CoordinateSpace::Unknown;
+}
+
+const char* spaceComment(CoordinateSpace space) noexcept {
+  switch (space) {
+    case CoordinateSpace::ScannerRAS:
+      return "SPACE=RAS";
+    case CoordinateSpace::LPS:
+      return "SPACE=LPS";
+    default:
+      return "";
+  }
+}
+
+namespace {
+
+/// The comment stands in the first lines.
+void readSpaceComment(const FileBytes& bytes, SurfaceFile& surface) {
+  constexpr std::ptrdiff_t header = 400;
+  const auto length = std::min(static_cast<std::ptrdiff_t>(bytes.size()), header);
+  const CoordinateSpace space = spaceComment(std::string(bytes.begin(), bytes.begin() + length));
+  if (space != CoordinateSpace::Unknown) {
+    surface.space = space;
+    surface.spaceReason = std::string("comment ") + spaceComment(space) + " in the header";
+  }
+}
+
+}  // namespace
+
 SurfaceFile readSurface(const std::string& path) {
   const FileBytes bytes = readBytes(path);
   const FileKind kind = recognise(bytes);
@@ -141,7 +177,7 @@ SurfaceFile readSurface(const std::string& path) {
     case FileKind::FreeSurferPatch:
       throw FormatError(path,
                         "A surface with faces is needed, but this is a FreeSurfer patch, which takes them from the "
-                        "surface it was cut from; read it with readPatch and patchSurface.");
+                        "surface it was cut from; name that surface too (--whole, WholeFileName).");
     default:
       if (kind != FileKind::Other || !isObjName(path)) {
         throw FormatError(
@@ -150,8 +186,30 @@ SurfaceFile readSurface(const std::string& path) {
       }
       surface = parseObj(path, bytes);
   }
+  if (kind == FileKind::Off || kind == FileKind::Ply || kind == FileKind::Other) {
+    readSpaceComment(bytes, surface);
+  }
   checkFaceIndices(path, surface);
   return surface;
+}
+
+namespace {
+
+/// x and y to the other side: LPS to RAS and back.
+void mirrorTwice(std::vector<double>& points) {
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    points[i] = -points[i];
+    points[i + 1] = -points[i + 1];
+  }
+}
+
+}  // namespace
+
+void toLps(SurfaceFile& surface) {
+  if (surface.space == CoordinateSpace::ScannerRAS) {
+    mirrorTwice(surface.points);
+    surface.space = CoordinateSpace::LPS;
+  }
 }
 
 void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
@@ -173,6 +231,9 @@ void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
             m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
       }
     }
+  }
+  if (space == CoordinateSpace::LPS) {
+    mirrorTwice(surface.points);
   }
   if (assume) {
     surface.spaceReason = std::string("asserted by the user as ") + coordinateSpaceName(space);

@@ -10,7 +10,7 @@
 
 namespace authalic {
 
-std::vector<int> readLabel(const std::string& path) {
+SparseScalars readLabel(const std::string& path) {
   const FileBytes bytes = readBytes(path);
   ByteCursor cursor(path, bytes);
   if (bytes[0] != '#') {
@@ -25,24 +25,30 @@ std::vector<int> readLabel(const std::string& path) {
                 countLine.substr(0, 40) + "\".");
   }
   cursor.need(static_cast<std::uint64_t>(*count), 9, "the list of entries");
-  std::vector<int> vertices;
-  vertices.reserve(static_cast<std::size_t>(*count));
+  SparseScalars label;
   for (std::int64_t i = 0; i < *count; ++i) {
     const std::string line = cursor.line();
     std::string_view rest = line;
     const auto vertex = parseNumber<int>(nextToken(rest));
     int numbers = 0;
-    for (; numbers < 4 && parseNumber<double>(nextToken(rest)); ++numbers) {
+    float value = 0;
+    for (; numbers < 4; ++numbers) {
+      const auto number = parseNumber<double>(nextToken(rest));
+      if (!number) {
+        break;
+      }
+      value = numbers == 3 ? static_cast<float>(*number) : value;
     }
     if (!vertex || *vertex < -1 || numbers < 3) {
       cursor.fail("An entry of a FreeSurfer label is a vertex, three coordinates and a value, but entry " +
                   std::to_string(i) + " reads \"" + line.substr(0, 60) + "\".");
     }
     if (*vertex >= 0) {
-      vertices.push_back(*vertex);
+      label.vertices.push_back(*vertex);
+      label.values.push_back(value);
     }
   }
-  return vertices;
+  return label;
 }
 
 void writeLabel(const std::string& path, const std::vector<int>& vertices, const std::vector<double>& points,

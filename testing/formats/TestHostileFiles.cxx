@@ -199,7 +199,7 @@ std::vector<HostileCase> cases() {
       {"lh.label",
        [](const auto& path) { std::ofstream(path) << "#!ascii label\n3\n1 0.5 1 2 0\n2 1 2 3 0\n7 0 0 0 1\n"; },
        [](const auto& path) {
-         for (const int vertex : readLabel(path)) {
+         for (const int vertex : readLabel(path).vertices) {
            require(vertex >= 0, "negative vertex");
          }
        }},

@@ -122,7 +122,8 @@ TEST(Annotations, WhatColoursCannotTellApartIsRefused) {
 TEST(VertexLists, LabelsAndSparseValuesComeBack) {
   const TemporaryFolder folder;
   writeLabel(folder / "l.label", {3, 1}, {0, 1, 2, 3, 4, 5}, {0.5F, 1}, CoordinateSpace::TkRAS);
-  EXPECT_EQ(readLabel(folder / "l.label"), (std::vector<int>{3, 1}));
+  EXPECT_EQ(readLabel(folder / "l.label").vertices, (std::vector<int>{3, 1}));
+  EXPECT_EQ(readLabel(folder / "l.label").values, (std::vector<float>{0.5F, 1}));
   writePaint(folder / "v.w", {1, std::nanf(""), 3});
   EXPECT_EQ(readPaint(folder / "v.w").vertices, (std::vector<int>{0, 2}));
   EXPECT_NE(messageOf([&] { static_cast<void>(readVertexScalars(folder / "v.w")); }).find("give the surface"),

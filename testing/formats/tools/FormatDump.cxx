@@ -143,7 +143,7 @@ int run(const std::string& action, const std::string& in, const std::string& out
   } else if (action == "annot") {
     dumpAnnot(in, out);
   } else if (action == "label") {
-    dump(out + ".vertices", readLabel(in));
+    dump(out + ".vertices", readLabel(in).vertices);
   } else if (action == "volume") {
     dumpVolume(in, out, frame);
   } else if (action == "write-gifti") {
