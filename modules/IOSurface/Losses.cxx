@@ -175,7 +175,8 @@ void sayTableLosses(std::vector<std::string>& losses, const std::string& path, v
     sayUnlabelled(losses, array);
   }
   if ((labels || extension == ".annot") && !regions) {
-    losses.push_back("The array " + name + " has no table of regions; names and colours were made up from its numbers.");
+    losses.push_back("The array " + name +
+                     " has no table of regions; names and colours were made up from its numbers.");
   }
   if (!labels && extension != ".annot" && regions) {
     losses.push_back("Names and colours of the regions of " + name + " are not kept.");

@@ -112,8 +112,10 @@ authalic::SurfaceFile wholeSurface(const std::string& path) {
 void readPatchOf(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
                  vtkPolyData* output) {
   if (!whole || !*whole) {
-    throw authalic::InvalidArgument(path + ": The surface that a FreeSurfer patch was cut from is required, because the "
-                                           "patch has no faces of its own; name it (WholeFileName, --whole).");
+    throw authalic::InvalidArgument(
+        path +
+        ": The surface that a FreeSurfer patch was cut from is required, because the "
+        "patch has no faces of its own; name it (WholeFileName, --whole).");
   }
   const authalic::PatchFile patch = authalic::readPatch(path);
   authalic::SurfaceFile surface = authalic::patchSurface(path, patch, wholeSurface(whole));
@@ -155,7 +157,8 @@ std::string otherMetadata(const authalic::SurfaceFile& surface, vtkPolyData* out
 }
 
 /// Returns what was passed over.
-std::string readAny(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed, vtkPolyData* output) {
+std::string readAny(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
+                    vtkPolyData* output) {
   if (authalic::isVtkSurfaceName(path)) {
     readWithVtk(path, assumed, output);
     return "";
@@ -185,7 +188,8 @@ void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector*
     throw authalic::InvalidArgument("A file to read is needed; call SetFileName.");
   }
   this->NotRead.clear();
-  this->NotRead = readAny(this->FileName, this->WholeFileName, asserted(this->AssumeSpace), vtkPolyData::GetData(outputs));
+  this->NotRead = readAny(this->FileName, this->WholeFileName, asserted(this->AssumeSpace),
+                          vtkPolyData::GetData(outputs));
 }
 
 int vtkSurfaceFileReader::RequestData(vtkInformation* request, vtkInformationVector** inputs,

@@ -3,13 +3,14 @@
  * @brief Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
  *
  * FreeSurfer, GIFTI (.gii, .gii.gz), MZ3, OFF, PLY and OBJ are read by Authalic's own readers, .vtp, legacy .vtk and
- * .stl by VTK's. Polygons and strips become triangles, lines and vertices are dropped, equal points of STL are merged.
- * A FreeSurfer patch takes its faces from the surface it was cut from, WholeFileName.
+ * .stl by VTK's. Polygons and strips become triangles, lines and vertices are dropped, equal points of STL are
+ * merged. A FreeSurfer patch takes its faces from the surface it was cut from, WholeFileName.
  *
  * Output (port 0, vtkPolyData): points in double precision, triangles in the order of the file, the arrays of .vtp
  * and .vtk, overlays of .mz3 as `Overlay`, `Overlay2` … (float) and its colours as `Colors` (4 unsigned chars), of a
- * patch `OriginalPointIds` and `PatchBorder` (int, 1 on the border). Points are brought to scanner RAS mm when the file
- * states its space or AssumeSpace asserts it, tkRAS by the full formula x = D P⁻¹ x_tk + c_ras; otherwise they stay as they are and CoordinateSpace is "unknown".
+ * patch `OriginalPointIds` and `PatchBorder` (int, 1 on the border). Points are brought to scanner RAS mm when the
+ * file states its space or AssumeSpace asserts it, tkRAS by the full formula x = D P⁻¹ x_tk + c_ras; otherwise they
+ * stay as they are and CoordinateSpace is "unknown".
  *
  * | field data | type | meaning |
  * |---|---|---|

@@ -92,9 +92,11 @@ std::vector<bool> borderOf(vtkPolyData* surface, const authalic::SurfaceFile& fi
 void writePatchOf(const std::string& path, vtkPolyData* surface, authalic::SurfaceFile file) {
   vtkDataArray* ids = surface->GetPointData()->GetArray("OriginalPointIds");
   if (!ids) {
-    throw authalic::InvalidArgument(path + ": The numbers of the vertices in the surface that a patch was cut from are "
-                                           "required (point array OriginalPointIds), but the surface has none; give what "
-                                           "authalic cut or map made, or write another format.");
+    throw authalic::InvalidArgument(
+        path +
+        ": The numbers of the vertices in the surface that a patch was cut from are "
+        "required (point array OriginalPointIds), but the surface has none; give what "
+        "authalic cut or map made, or write another format.");
   }
   const std::vector<bool> border = borderOf(surface, file);
   double bounds[6];
@@ -134,8 +136,10 @@ void writeSurface(const std::string& path, vtkPolyData* surface) {
 vtkSmartPointer<vtkPolyData> turnedToLps(const std::string& path, vtkPolyData* surface) {
   const std::string extension = authalic::extensionOf(path);
   if (!authalic::isVtkSurfaceName(path) && extension != ".ply" && extension != ".obj") {
-    throw authalic::InvalidArgument(path + ": LPS is required to be written, but a file of that kind has a space of its "
-                                           "own or cannot say so; end the name in .vtp, .vtk, .ply, .obj or .stl.");
+    throw authalic::InvalidArgument(
+        path +
+        ": LPS is required to be written, but a file of that kind has a space of its "
+        "own or cannot say so; end the name in .vtp, .vtk, .ply, .obj or .stl.");
   }
   authalic::SurfaceFile file = authalic::spaceFields(surface);
   if (file.space != authalic::CoordinateSpace::ScannerRAS) {

@@ -19,9 +19,9 @@
  * GeometricType, as vtkSurfaceFileReader gives them, are stored where the format has room. A surface of unknown space
  * is written as it is, and marked unknown where the format can say so.
  *
- * The border of a patch is point array PatchBorder, or without it the ends of the edges of one face. A patch in space is
- * stored in tkRAS when the volume geometry is known, a flat one (every z = 0) as it is. GetLoss() says in words what the
- * format had no room for. Names that end in .gz are refused.
+ * The border of a patch is point array PatchBorder, or without it the ends of the edges of one face. A patch in
+ * space is stored in tkRAS when the volume geometry is known, a flat one (every z = 0) as it is. GetLoss() says in
+ * words what the format had no room for. Names that end in .gz are refused.
  *
  * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
  */
@@ -56,9 +56,9 @@ public:
   ///@}
 
   ///@{
-  /** The coordinates of the file: SCANNER_RAS (0, default), which FreeSurfer's files turn into tkRAS, or LPS (1), as ITK
-   * and 3D Slicer have them: .vtp, .vtk, .ply, .obj and .stl alone, of a surface of known space. In LPS the arrays of
-   * three floating-point components (normals, other coordinates) are turned too. */
+  /** The coordinates of the file: SCANNER_RAS (0, default), which FreeSurfer's files turn into tkRAS, or LPS
+   * (1), as ITK and 3D Slicer have them: .vtp, .vtk, .ply, .obj and .stl alone, of a surface of known space.
+   * In LPS the arrays of three floating-point components (normals, other coordinates) are turned too. */
   vtkSetClampMacro(WriteSpace, int, SCANNER_RAS, LPS);
   vtkGetMacro(WriteSpace, int);
   void SetWriteSpaceToScannerRAS() { this->SetWriteSpace(SCANNER_RAS); }

@@ -94,7 +94,8 @@ void addLabel(const Target& target) {
   const authalic::SparseScalars label = authalic::readLabel(target.path);
   const std::size_t known = target.vertexCount();
   if (known == 0) {
-    throw authalic::InvalidArgument(target.path + ": A label lists some vertices only; give the surface it belongs to.");
+    throw authalic::InvalidArgument(target.path +
+                                    ": A label lists some vertices only; give the surface it belongs to.");
   }
   const bool cut = !target.originals().empty();
   std::vector<int> inside(known, 0);
@@ -248,8 +249,8 @@ void vtkVertexDataReader::Compute(vtkInformationVector** inputs, vtkInformationV
     authalic::passFields(input, output);
   }
   this->NotRead.clear();
-  this->NotRead = addFile({this->FileName, this->ArrayName ? this->ArrayName : "", this->Structure ? this->Structure : "", output,
-           input == nullptr});
+  this->NotRead = addFile({this->FileName, this->ArrayName ? this->ArrayName : "",
+                           this->Structure ? this->Structure : "", output, input == nullptr});
 }
 
 int vtkVertexDataReader::FillInputPortInformation(int port, vtkInformation* info) {

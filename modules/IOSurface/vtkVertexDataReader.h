@@ -15,11 +15,11 @@
  *
  * Gzip is undone. NaN means no value. Signs are as in the file: FreeSurfer's curv and sulc are positive in sulci.
  * The surface passes through with everything it has. The file must hold one value for each point, otherwise the error
- * says how many there are of either. Where the surface was cut from another (point array OriginalPointIds), a file for
- * that one does too: every point takes the value of its original, and a .label names originals.
+ * says how many there are of either. Where the surface was cut from another (point array OriginalPointIds), a file
+ * for that one does too: every point takes the value of its original, and a .label names originals.
  *
- * The surface may be left out. Then the output has one point for each value, all at the origin, and no faces; files that
- * list some vertices only (.w, .label, NODE_INDEX) are refused, because they do not say how many there are.
+ * The surface may be left out. Then the output has one point for each value, all at the origin, and no faces; files
+ * that list some vertices only (.w, .label, NODE_INDEX) are refused, because they do not say how many there are.
  */
 #ifndef vtkVertexDataReader_h
 #define vtkVertexDataReader_h
@@ -44,8 +44,8 @@ public:
 
   ///@{
   /** Name of the array. Default empty: the name that GIFTI gives the array, else the name of the file without folder,
-   * hemisphere and extension (lh.thickness → thickness). Second and further arrays of a GIFTI file of the same name get
-   * their number after it. */
+   * hemisphere and extension (lh.thickness → thickness). Second and further arrays of a GIFTI file of the same name
+   * get their number after it. */
   vtkSetStringMacro(ArrayName);
   vtkGetStringMacro(ArrayName);
   ///@}

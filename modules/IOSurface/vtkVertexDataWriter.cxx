@@ -166,9 +166,11 @@ void writeOne(const std::string& path, vtkPolyData* surface, vtkDataArray* array
 void refuseName(const std::string& path) {
   authalic::requireUncompressedName(path);
   if (authalic::isNiftiName(path)) {
-    throw authalic::InvalidArgument(path + ": A name of per-vertex data that are written is required, but NIfTI and CIFTI "
-                                           "files are read only; end it in .shape.gii, .label.gii or .mgz, and make CIFTI "
-                                           "of these with wb_command -cifti-create-dense-scalar.");
+    throw authalic::InvalidArgument(
+        path +
+        ": A name of per-vertex data that are written is required, but NIfTI and CIFTI "
+        "files are read only; end it in .shape.gii, .label.gii or .mgz, and make CIFTI "
+        "of these with wb_command -cifti-create-dense-scalar.");
   }
 }
 

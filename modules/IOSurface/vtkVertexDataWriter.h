@@ -14,8 +14,9 @@
  * | anything else | FreeSurfer morphometry (curv), 32-bit float | one |
  *
  * Field data AnatomicalStructurePrimary (CortexLeft, CortexRight …) goes to the file, where Workbench looks for it.
- * .label.gii and .annot take whole numbers (NaN and -1 = no region); without a table they get one made up from the numbers.
- * GetLoss() says in words what the format had no room for. Names that end in .gz and CIFTI's (.dscalar.nii …) are refused.
+ * .label.gii and .annot take whole numbers (NaN and -1 = no region); without a table they get one made up from the
+ * numbers. GetLoss() says in words what the format had no room for. Names that end in .gz and CIFTI's (.dscalar.nii
+ * …) are refused.
  *
  * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
  */

@@ -7,9 +7,9 @@
  * | .nii, .nii.gz | NIfTI-1 | 32-bit integers or floats | sform, and qform when the axes are orthogonal; code from field TransformCode, else 1 (scanner) |
  * | .mgh, .mgz | MGH | 32-bit integers or floats | direction cosines and centre (goodRAS) |
  *
- * The point scalars have one component. Physical coordinates (origin, spacing, direction matrix) are taken to be scanner
- * RAS mm; a volume whose field CoordinateSpace says "unknown" is refused, because the file would claim to know.
- * GetLoss() says in words what the format had no room for.
+ * The point scalars have one component. Physical coordinates (origin, spacing, direction matrix) are taken to be
+ * scanner RAS mm; a volume whose field CoordinateSpace says "unknown" is refused, because the file would claim to
+ * know. GetLoss() says in words what the format had no room for.
  *
  * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
  */

@@ -78,8 +78,8 @@ void assertSpace(vtkImageData* volume, const ConvertOptions& o) {
 }
 
 void convertVolume(const ConvertOptions& o, const Session& session) {
-  refuse(!o.data.empty() || !o.arrays.empty() || !o.structure.empty() || o.lps, "--data, --array, --structure and --lps",
-         "belong to surfaces, but " + o.input + " is a volume.");
+  refuse(!o.data.empty() || !o.arrays.empty() || !o.structure.empty() || o.lps,
+         "--data, --array, --structure and --lps", "belong to surfaces, but " + o.input + " is a volume.");
   if (!isVolumeName(o.output)) {
     throw Failure(FileProblem, o.input + ": a surface or per-vertex data are required to write " + o.output +
                                    ", but it is a volume; end the output in .nii, .nii.gz, .mgh or .mgz.");
@@ -155,7 +155,8 @@ void addConvert(CLI::App& app, Session& session) {
   verb->add_option("INPUT", o->input, "A surface, per-vertex data or a volume.")->required();
   verb->add_option("OUTPUT", o->output, "What to write.")->required();
   verb->add_option("--data", o->data,
-                   "Per-vertex data to add to a surface: morphometry, .annot, .label, .w, .mgh, GIFTI, CIFTI, MZ3, text.")
+                   "Per-vertex data to add to a surface: morphometry, .annot, .label, .w, .mgh, GIFTI, "
+                   "CIFTI, MZ3, text.")
       ->type_name("FILE...");
   verb->add_option("--array", o->arrays, "Arrays to write to a file of per-vertex data.")->type_name("NAME...");
   verb->add_option("--structure", o->structure, "Which surface of a CIFTI file: CortexLeft, CortexRight, ...")

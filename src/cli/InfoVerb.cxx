@@ -26,11 +26,16 @@ VerbHelp infoHelp() {
   help.summary = "what a file is: topology, size, space, defects; voxels and values";
   help.synopsis = "info FILE [--json FILE]";
   help.description =
-      "Of a surface, prints vertices, edges, faces, the Euler characteristic, genus, components and boundary loops with their "
-      "lengths in mm, area in mm², bounding box, the space of the coordinates and how it was decided, and every "
-      "kind of defect with places. Defects are not an error: the exit code is 0 for any surface that can be read.\n\n"
-      "Of a volume, prints voxels, values, axes, the affine, its space and how it was decided, and what is doubtful "
-      "about it (an sform and a qform that disagree). Of per-vertex data, prints arrays, ranges, regions and surfaces.";
+      "Of a surface, prints vertices, edges, faces, the Euler characteristic, genus, components and boundary "
+      "loops with their "
+      "lengths in mm, area in mm², bounding box, the space of the coordinates and how it was decided, and "
+      "every "
+      "kind of defect with places. Defects are not an error: the exit code is 0 for any surface that can be "
+      "read.\n\n"
+      "Of a volume, prints voxels, values, axes, the affine, its space and how it was decided, and what is "
+      "doubtful "
+      "about it (an sform and a qform that disagree). Of per-vertex data, prints arrays, ranges, regions and "
+      "surfaces.";
   help.examples = {"authalic info lh.pial\n  prints the report of a FreeSurfer surface",
                    "authalic info cow.obj --json cow.json\n  also writes every defect with its place",
                    "authalic info t1.nii.gz\n  where its voxels are, and which transform said so"};

@@ -9,7 +9,7 @@ Functions take and return numpy arrays:
 >>> map = authalic.flatten(disk)                  # or flatten(points, faces, method=..., domain=...)
 >>> map.image, map.status, map.metrics["flipped_faces"]
 
-    files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume
+    files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume, write_volume
     surfaces   topology, cut_to_disk, cortical_surfaces
     maps       flatten, methods, measure_distortion
     sampling   sample_volume, labels_on_surface, elements
@@ -28,7 +28,7 @@ from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArg
 from ._maps import Distortion, SurfaceMap, flatten, measure_distortion, methods
 from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
                         write_vertex_data)
-from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume
+from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume, write_volume
 
 __version__ = "@PROJECT_VERSION@"
 __all__ = [
@@ -61,6 +61,7 @@ __all__ = [
     "topology",
     "write_surface",
     "write_vertex_data",
+    "write_volume",
 ]
 __all__ += _classes.__all__
 
