@@ -195,6 +195,7 @@ std::vector<double> tkRasPoints(const SurfaceFile& surface) {
     return m[4 * r1 + c1] * m[4 * r2 + c2] - m[4 * r1 + c2] * m[4 * r2 + c1];
   };
   const double determinant = m[0] * minor(0, 0) + m[1] * minor(0, 1) + m[2] * minor(0, 2);
+  constexpr double grid = 1099511627776.0;  // 2^40 per mm
   std::vector<double> points(surface.points.size());
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     for (std::size_t row = 0; row < 3; ++row) {
@@ -202,7 +203,8 @@ std::vector<double> tkRasPoints(const SurfaceFile& surface) {
       for (std::size_t k = 0; k < 3; ++k) {
         sum += minor(k, row) * (surface.points[i + k] - m[4 * k + 3]);
       }
-      points[i + row] = sum / determinant;
+      // The change of space leaves noise of 1e-14 mm, which would show where the coordinate was 0.
+      points[i + row] = std::round(sum / determinant * grid) / grid + 0.0;  // and no -0
     }
   }
   return points;

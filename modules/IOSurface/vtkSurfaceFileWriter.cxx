@@ -111,10 +111,12 @@ void writeSurface(const std::string& path, vtkPolyData* surface) {
   const std::string extension = authalic::extensionOf(path);
   refuseForeignEnding(path, extension);
   authalic::requireUncompressedName(path);
-  const authalic::SurfaceFile file = authalic::toSurfaceFile(surface);
   if (authalic::isVtkSurfaceName(path)) {
     authalic::writeVtkSurface(path, surface);
-  } else if (authalic::isPatchName(path)) {
+    return;
+  }
+  const authalic::SurfaceFile file = authalic::toSurfaceFile(surface);
+  if (authalic::isPatchName(path)) {
     writePatchOf(path, surface, file);
   } else if (extension == ".gii") {
     refuseVertexDataEnding(path);

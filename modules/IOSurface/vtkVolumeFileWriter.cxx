@@ -11,6 +11,7 @@
 #include "Core/base/Error.h"
 #include "ErrorCode.h"
 #include "FieldArrays.h"
+#include "Formats/AtomicFile.h"
 #include "Formats/VolumeFile.h"
 #include "Losses.h"
 #include "SurfaceConversion.h"
@@ -23,7 +24,9 @@ vtkVolumeFileWriter::~vtkVolumeFileWriter() {
 
 namespace {
 
+/// The place is looked at before the name.
 void requireName(const std::string& path) {
+  static_cast<void>(authalic::AtomicFile(path));
   const bool pair = path.find(".hdr") != std::string::npos || path.find(".img") != std::string::npos;
   if (pair || (!authalic::isNiftiName(path) && !authalic::isMghName(path))) {
     throw authalic::InvalidArgument(path + ": A name that ends as a volume does is required; end it in .nii, .nii.gz, "
