@@ -70,6 +70,11 @@ class Formats(CommandLine):
         self.assertEqual(result.returncode, 0, result.stderr)
         return result.stderr
 
+    def limited(self, *words, setup):
+        """Runs the command after `setup`, a line of the shell."""
+        return subprocess.run(["bash", "-c", setup + ' exec "$0" "$@"', ARGUMENTS.authalic, *map(str, words)],
+                              capture_output=True, text=True, cwd=self.here)
+
     def there_and_back(self, source, middle, back, *, there=(), home=()):
         said = self.converts(source, middle, *there) + self.converts(middle, back, *home)
         self.assertEqual(self.bytes(back), self.bytes(source), f"{source} -> {middle} -> {back}")
@@ -89,7 +94,8 @@ class Surfaces(Formats):
 
     def test_gifti_keeps_space_geometry_and_coordinates_to_32_bits(self):
         said = self.converts("lh.white", "s.surf.gii")
-        self.assertRegex(said, r"^authalic: lost in s.surf.gii: Coordinates are rounded to 32 bits, by up to \S+ mm\.\n$")
+        self.assertRegex(said, r"^authalic: lost in s.surf.gii: Coordinates are rounded to 32 bits, by up to "
+                         r"\S+ mm\.\n$")
         self.there_and_back("s.surf.gii", "s.vtp", "again.surf.gii")
         self.assertIn("SCANNER_ANAT", self.lines_of("again.surf.gii")["space"])
 
@@ -399,10 +405,6 @@ class Oracles(Formats):
 class Whole(Formats):
     """Outputs are there whole or not at all."""
 
-    def written(self, *words, setup=""):
-        return subprocess.run(["bash", "-c", setup + ' exec "$0" "$@"', ARGUMENTS.authalic, *map(str, words)],
-                              capture_output=True, text=True, cwd=self.here)
-
     def outputs(self):
         volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
         big = grid(self.path("big.off"), 60)
@@ -418,7 +420,7 @@ class Whole(Formats):
         for source, name in self.outputs():
             self.path(name).write_bytes(b"old")
             before = set(self.here.iterdir())
-            result = self.written("convert", source, name, "-q", setup="trap '' XFSZ; ulimit -f 1;")
+            result = self.limited("convert", source, name, "-q", setup="trap '' XFSZ; ulimit -f 1;")
             self.assertEqual(result.returncode, 5, (name, result.stderr))
             self.assertIn("cannot be", result.stderr)
             self.assertEqual(self.bytes(name), b"old", name)
@@ -490,8 +492,7 @@ class Hostile(Formats):
             self.path(name).write_bytes(data)
             begin = time.monotonic()
             # Libraries alone take address space; 140 TB, or even 12 GB, would not fit.
-            result = subprocess.run(["bash", "-c", 'ulimit -v 2000000; exec "$0" "$@"', ARGUMENTS.authalic, "info", name],
-                                    cwd=self.here, capture_output=True, text=True)
+            result = self.limited("info", name, setup="ulimit -v 2000000;")
             self.assertEqual(result.returncode, 5, (name, result.stderr))
             self.assertEqual(len(result.stderr.splitlines()), 1)
             self.assertLess(time.monotonic() - begin, 5, "0.1 s on an idle machine")

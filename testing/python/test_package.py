@@ -9,7 +9,8 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 CLASSES = """vtkSurfaceFileReader vtkSurfaceFileWriter vtkVolumeFileReader vtkVolumeFileWriter
-vtkVertexDataReader vtkVertexDataWriter vtkCorticalSurface vtkCutToDisk vtkBarycentricMap vtkDiscreteLieFlow vtkMapDistortion vtkSurfaceTopologyReport
+vtkVertexDataReader vtkVertexDataWriter vtkCorticalSurface vtkCutToDisk vtkBarycentricMap
+vtkDiscreteLieFlow vtkMapDistortion vtkSurfaceTopologyReport
 vtkSampleVolumeOnSurface vtkLabelsOnSurface vtkElementGrid vtkElementStatistics vtkRegionDensity
 vtkCurvatureDensity""".split()
 

@@ -137,11 +137,12 @@ def read_vertex_data(path: Path, surface: Any = None, name: Optional[str] = None
 def write_vertex_data(path: Path, surface: Any, *names: str) -> list[str]:
     """Writes point arrays of a surface as per-vertex data, whole or not at all.
 
-    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .annot, .label, .w, .mgh, .mgz, .txt, anything else
-           FreeSurfer's curv (one array)
+    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .annot, .label, .w, .mgh, .mgz, .txt;
+           anything else is FreeSurfer's curv (one array)
     names  of the arrays; none = every array of one component
 
-    Returns what the format had no room for, one sentence each. Raises FormatError, InvalidArgument when there is no such array.
+    Returns what the format had no room for, one sentence each. Raises FormatError, InvalidArgument when there is no
+    such array.
     """
     writer = _classes.vtkVertexDataWriter()
     for name in names:
