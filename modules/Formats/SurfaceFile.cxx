@@ -23,8 +23,10 @@ FileKind recogniseMagicFfffff(const FileBytes& bytes) {
   if (bytes.size() >= 15) {
     const auto vertices = decode<std::int32_t>(bytes.data() + 3, ByteOrder::Big);
     const auto values = decode<std::int32_t>(bytes.data() + 11, ByteOrder::Big);
-    const auto expected = 15 + 4 * static_cast<std::int64_t>(vertices) * values;
-    if (vertices > 0 && values > 0 && expected == static_cast<std::int64_t>(bytes.size())) {
+    const auto numbers = static_cast<std::int64_t>((bytes.size() - 15) / 4);
+    const bool whole = bytes.size() % 4 == 15 % 4;
+    // Divided, because the product of two counts from a file need not fit.
+    if (vertices > 0 && values > 0 && whole && numbers % vertices == 0 && numbers / vertices == values) {
       return FileKind::FreeSurferMorphometry;
     }
   }
