@@ -95,5 +95,6 @@ std::string caseName(const ::testing::TestParamInfo<int>& hostile) {
 
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Readers, HostileFiles, ::testing::Range(0, static_cast<int>(allHostileCases().size())), caseName);
-INSTANTIATE_TEST_SUITE_P(Readers, HostileFilesSlow, ::testing::Range(0, static_cast<int>(allHostileCases().size())), caseName);
+const auto everyCase = ::testing::Range(0, static_cast<int>(allHostileCases().size()));
+INSTANTIATE_TEST_SUITE_P(Readers, HostileFiles, everyCase, caseName);
+INSTANTIATE_TEST_SUITE_P(Readers, HostileFilesSlow, everyCase, caseName);
