@@ -17,7 +17,8 @@ LOST = {"Arrays are not kept": "arrays", "Names of overlays": "names of arrays",
         "Coordinates are rounded": "64-bit coordinates",
         "order of the vertices": "order of vertices", "Names and colours of the regions": "regions",
         "name of the array": "name of the array", "structure is not kept": "structure", "become label 0": "-1",
-        "Numbers of the affine": "64-bit affine", "its space is": "kind of space", "Parts of the header": "header notes"}
+        "Numbers of the affine": "64-bit affine", "its space is": "kind of space",
+        "Parts of the header": "header notes"}
 
 
 def tables():
