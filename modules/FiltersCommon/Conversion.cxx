@@ -90,8 +90,13 @@ Volume emptyVolume(vtkImageData* image) {
 }  // namespace
 
 TriangleMesh toTriangleMesh(vtkPolyData* surface, const std::string& role) {
+  const Faces faces = toTriangles(surface, role);
+  return TriangleMesh(toPoints(surface), faces);
+}
+
+Faces toTriangles(vtkPolyData* surface, const std::string& role) {
   requireTrianglesOnly(surface, role);
-  return TriangleMesh(toPoints(surface), toFaces(surface, role));
+  return toFaces(surface, role);
 }
 
 TriangleMesh surfaceOfMap(vtkPolyData* map) {

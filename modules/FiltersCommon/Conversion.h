@@ -21,6 +21,11 @@ namespace authalic {
 [[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT TriangleMesh toTriangleMesh(vtkPolyData* surface,
                                                                           const std::string& role = "surface");
 
+/// The triangles alone, in the order of the input; indices and repeated vertices are not looked at.
+/// @throws GeometryError as above, but for what TriangleMesh refuses
+[[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT Faces toTriangles(vtkPolyData* surface,
+                                                                const std::string& role = "surface");
+
 /// The surface of a map: its point array OriginalPoints with the map's triangles.
 /// @throws InvalidArgument when the array is not there
 [[nodiscard]] VTKAUTHALICFILTERSCOMMON_EXPORT TriangleMesh surfaceOfMap(vtkPolyData* map);

@@ -70,13 +70,16 @@ void addRegionShares(vtkPolyData* map, const TriangleMesh& surface, const Distor
   if (regions.empty() || regions.front().inside.size() != static_cast<std::size_t>(surface.vertexCount())) return;
   const Eigen::VectorXd areas = faceAreas(surface) / faceAreas(surface).sum();
   const Eigen::VectorXd wanted = target.size() > 0 ? (target / target.sum()).eval() : areas;
-  Eigen::VectorXd image = distortion.areaRatio.cwiseProduct(wanted);
-  image = image.array().isNaN().select(0, image);  // faces without a target
+  const Eigen::VectorXd stars = vertexStars(wanted, surface.faces(), surface.vertexCount());
+  Eigen::VectorXd image = stars.array() * distortion.vertexLogAreaRatio.array().exp();
+  image = image.array().isFinite().select(image, 0);  // vertices without a target
   std::vector<double> sources, targets, images;
   for (const RegionOfInterest& region : regions) {
     sources.push_back(regionMeasure(areas, surface.faces(), region.inside));
     targets.push_back(regionMeasure(wanted, surface.faces(), region.inside));
-    images.push_back(regionMeasure(image, surface.faces(), region.inside) / image.sum());
+    double inside = 0;
+    for (Eigen::Index v = 0; v < image.size(); ++v) inside += region.inside[static_cast<std::size_t>(v)] ? image[v] : 0;
+    images.push_back(inside / image.sum());
   }
   addField(map, "RegionSourceShares", sources);
   addField(map, "RegionTargetShares", targets);

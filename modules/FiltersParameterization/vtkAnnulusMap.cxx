@@ -33,9 +33,9 @@ void vtkAnnulusMap::Compute(vtkInformationVector** inputs, vtkInformationVector*
   const bool ring = this->Domain == RING;
   const authalic::PeriodicRectangle& rectangle = result.rectangle;
   const authalic::Distortion distortion =
-      ring ? authalic::fillMap(input, output, annulus.mesh(), result.image, target.faces())
+      ring ? authalic::fillMap(input, output, annulus.mesh(), result.image, target.shares())
            : authalic::fillOpenedMap(input, output, {rectangle.faces, rectangle.originalPointIds}, rectangle.points,
-                                     target.faces());
+                                     target.shares());
   authalic::MapReport report = authalic::describeConformalMap("annulus", result, output);
   const int pockets = ring ? result.pockets : result.rectanglePockets;
   const double circumference = std::sqrt(authalic::faceAreas(annulus.mesh()).sum() / result.modulus);

@@ -1,17 +1,13 @@
 #include "vtkAuthalicMap.h"
 
-#include <string>
-#include <utility>
-
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 #include "AuthalicReport.h"
+#include "ConformalImages.h"
 #include "Conversion.h"
-#include "Core/base/Error.h"
-#include "Core/conformal/RiemannMap.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricMap.h"
 #include "Core/mesh/DiskMesh.h"
@@ -21,23 +17,6 @@
 vtkStandardNewMacro(vtkAuthalicMap);
 
 static_assert(static_cast<int>(authalic::BarycentricWeights::MeanValue) == vtkAuthalicMap::MEAN_VALUE);
-
-namespace {
-
-authalic::Points2 conformalImage(const authalic::DiskMesh& disk, int domain, const authalic::Execution& execution) {
-  if (domain != vtkAuthalicMap::DISK) {
-    throw authalic::InvalidArgument("The domain disk is required for a balance below 1; angles are kept there.");
-  }
-  authalic::RiemannMapResult riemann = authalic::riemannMap(disk, {}, execution);
-  if (riemann.status == authalic::Status::Cancelled) throw authalic::CancelledError();
-  if (riemann.flippedFaces > 0) {
-    throw authalic::GeometryError("A conformal map without folds is required for a balance below 1, but " +
-                                  std::to_string(riemann.flippedFaces) + " faces of it are folded.");
-  }
-  return std::move(riemann.image);
-}
-
-}  // namespace
 
 vtkAuthalicMap::vtkAuthalicMap() {
   this->SetNumberOfInputPorts(2);
@@ -78,7 +57,7 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   authalic::TargetMeasure wanted = target;
   const authalic::Balance balance{this->Balance, this->BalanceArrayName};
   if (!balance.whole()) {
-    initial = conformalImage(disk, this->Domain, execution.part(0, 0.1));
+    initial = authalic::conformalImage(disk, this->Domain == DISK, "a balance below 1", false, execution.part(0, 0.1));
     const Eigen::VectorXd areas = authalic::signedFaceAreas(initial, disk.mesh().faces());
     wanted = authalic::balancedTarget(input, disk.mesh(), target, areas, balance);
   }
@@ -88,7 +67,7 @@ void vtkAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector
   }
   const authalic::AuthalicMapResult result =
       authalic::authalicMap(disk, wanted, options, initial, execution.part(0.1, 1));
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());

@@ -40,7 +40,7 @@ void vtkBarycentricMap::Compute(vtkInformationVector** inputs, vtkInformationVec
   report.status = map.status;
   report.residuals = {map.residual};
   report.seconds = {{"solve", map.seconds}};
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), map.image, target.faces()).summary;
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), map.image, target.shares()).summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
   report.options.set("start_vertex", this->StartVertex);

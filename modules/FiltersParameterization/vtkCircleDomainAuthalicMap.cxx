@@ -6,19 +6,17 @@
 
 #include "AuthalicReport.h"
 #include "BoundaryLoops.h"
-#include "CircleArrays.h"
 #include "Conversion.h"
 #include "Core/authalic/CircleDomainAuthalicMap.h"
+#include "Core/authalic/PeriodicRectangleAuthalicMap.h"
 #include "Core/base/Error.h"
-#include "FieldArrays.h"
+#include "HoledDomains.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
 
-vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
-  const authalic::CircleDomainAuthalicMapOptions defaults;
-  this->Concentric = defaults.concentric;
-}
+static_assert(static_cast<int>(authalic::HoledDomain::PeriodicRectangle) ==
+              vtkCircleDomainAuthalicMap::PERIODIC_RECTANGLE);
 
 void vtkCircleDomainAuthalicMap::AddHoleArea(double area) {
   this->HoleAreas.push_back(area);
@@ -30,51 +28,64 @@ void vtkCircleDomainAuthalicMap::ClearHoleAreas() {
   this->Modified();
 }
 
-authalic::CircleDomainAuthalicMapOptions vtkCircleDomainAuthalicMap::Options(
-    const std::vector<std::vector<int>>& loops) const {
+authalic::MapReport vtkCircleDomainAuthalicMap::MapToCircles(vtkPolyData* input, vtkPolyData* output,
+                                          const authalic::Execution& execution) {
+  const authalic::PolyAnnulusMesh surface(authalic::toTriangleMesh(input));
   authalic::CircleDomainAuthalicMapOptions options;
-  options.solve = this->Superclass::Options();
-  options.concentric = this->Concentric;
-  options.outerLoop = authalic::loopOf(loops, this->OuterVertex);
-  options.holeAreas = this->HoleAreas;
-  return options;
+  options.solve = this->Options();
+  static_cast<authalic::CircleDomainHoles&>(options) = authalic::holesOf(
+      surface, static_cast<authalic::HoledDomain>(this->Domain), this->OuterVertex, this->HoleAreas);
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, surface.mesh(), this->MeasureArrayName);
+  const auto result = authalic::circleDomainAuthalicMap(surface, target, options, execution);
+  if (result.image.rows() == 0) throw authalic::CancelledError();
+  const authalic::Distortion distortion =
+      authalic::fillMap(input, output, surface.mesh(), result.image, target.shares());
+  authalic::MapReport report = authalic::describeAuthalicMap(result, output);
+  authalic::addHoles(result, output, report);
+  report.metrics = distortion.summary;
+  report.topology = authalic::inspect(surface.mesh(), surface.topology());
+  return report;
+}
+
+authalic::MapReport vtkCircleDomainAuthalicMap::MapToRectangle(vtkPolyData* input, vtkPolyData* output,
+                                            const authalic::Execution& execution) {
+  if (!this->HoleAreas.empty()) {
+    throw authalic::InvalidArgument(
+        "A domain with holes is required for hole areas, but a periodic rectangle has none; leave them out.");
+  }
+  const authalic::AnnulusMesh annulus(authalic::toTriangleMesh(input));
+  authalic::PeriodicRectangleAuthalicMapOptions options;
+  options.solve = this->Options();
+  options.outerLoop = authalic::loopOf(annulus.loops(), this->OuterVertex);
+  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, annulus.mesh(), this->MeasureArrayName);
+  const auto result = authalic::periodicRectangleAuthalicMap(annulus, target, options, execution);
+  if (result.image.rows() == 0) throw authalic::CancelledError();
+  const authalic::Distortion distortion = authalic::fillOpenedMap(
+      input, output, {result.faces, result.originalPointIds}, result.image, target.shares());
+  authalic::MapReport report = authalic::describeAuthalicMap(result, output);
+  authalic::addRectangle(annulus.mesh(), result, output, report);
+  report.metrics = distortion.summary;
+  report.topology = authalic::inspect(annulus.mesh(), annulus.topology());
+  return report;
 }
 
 void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
-                                         const authalic::Execution& execution) {
+                      const authalic::Execution& execution) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const authalic::PolyAnnulusMesh surface(authalic::toTriangleMesh(input));
-  const authalic::CircleDomainAuthalicMapOptions options = this->Options(surface.loops());
-  const authalic::TargetMeasure target = authalic::targetMeasureOf(input, surface.mesh(), this->MeasureArrayName);
-  const authalic::CircleDomainAuthalicMapResult result =
-      authalic::circleDomainAuthalicMap(surface, target, options, execution);
-  if (result.image.rows() == 0) throw authalic::CancelledError();
-  const authalic::Distortion distortion =
-      authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
-  authalic::MapReport report = authalic::describeAuthalicMap(result, output);
-  authalic::addCircles(result.circles, output, report);
-  authalic::addField(output, "OuterLoop", result.outerLoop);
-  authalic::addField(output, "HoleAreas", result.holeAreas);
-  authalic::addField(output, "HoleResidual", result.holeResidual);
-  authalic::addField(output, "Pockets", result.pockets);
-  report.more.set("outer_loop", result.outerLoop);
-  report.more.set("hole_areas", authalic::Json::arrayOf(result.holeAreas));
-  report.more.set("hole_residual", result.holeResidual);
-  report.more.set("pockets", result.pockets);
-  report.metrics = distortion.summary;
-  report.topology = authalic::inspect(surface.mesh(), surface.topology());
-  report.options.set("domain", this->Concentric ? "annulus" : "circle-domain");
-  report.options.set("measure", this->MeasureArrayName);
-  report.options.set("outer_vertex", this->OuterVertex);
-  report.options.set("hole_areas", authalic::Json::arrayOf(this->HoleAreas));
-  authalic::addAuthalicOptions(report.options, options.solve);
+  authalic::MapReport report = this->Domain == PERIODIC_RECTANGLE ? this->MapToRectangle(input, output, execution)
+                                                                  : this->MapToCircles(input, output, execution);
+  report.options.set("domain", authalic::holedDomainName(static_cast<authalic::HoledDomain>(this->Domain)))
+      .set("measure", this->MeasureArrayName)
+      .set("outer_vertex", this->OuterVertex)
+      .set("hole_areas", authalic::Json::arrayOf(this->HoleAreas));
+  authalic::addAuthalicOptions(report.options, this->Options());
   this->Publish(output, report);
 }
 
 void vtkCircleDomainAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Concentric: " << this->Concentric << "\n";
+  os << indent << "Domain: " << this->Domain << "\n";
   os << indent << "OuterVertex: " << this->OuterVertex << "\n";
   os << indent << "HoleAreas: " << this->HoleAreas.size() << "\n";
 }

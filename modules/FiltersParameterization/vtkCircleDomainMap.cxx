@@ -42,7 +42,7 @@ void vtkCircleDomainMap::Compute(vtkInformationVector** inputs, vtkInformationVe
   if (result.status == authalic::Status::Cancelled) throw authalic::CancelledError();
   const authalic::Distortion distortion =
       result.refinement ? authalic::fillRefinedMap(input, output, *result.refinement)
-                        : authalic::fillMap(input, output, surface.mesh(), result.image, target.faces());
+                        : authalic::fillMap(input, output, surface.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeConformalMap("circle-domain", result, output);
   authalic::addCircles(result.circles, output, report);
   if (result.logScale.size() > 0 && !result.refinement) {

@@ -76,7 +76,7 @@ void vtkDiscreteLieFlow::Compute(vtkInformationVector** inputs, vtkInformationVe
   }
   const authalic::DiscreteLieFlowResult flow =
       authalic::discreteLieFlow(disk, initial.image, target, options, execution.part(0.1, 1.0));
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), flow.image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), flow.image, target.shares());
   authalic::MapReport report = authalic::describeLieFlow(flow, output);
   report.seconds.insert(report.seconds.begin(), {"initial", initial.seconds});
   report.metrics = distortion.summary;

@@ -87,7 +87,7 @@ void vtkFlatConeAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformati
       authalic::flatConeAuthalicMap(surface, target, options, execution);
   const authalic::CutGraph& cut = result.flat.cut;
   const authalic::Distortion distortion =
-      authalic::fillOpenedMap(input, output, {cut.faces, cut.originalPointIds}, result.image, target.faces());
+      authalic::fillOpenedMap(input, output, {cut.faces, cut.originalPointIds}, result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   authalic::addArray(output->GetPointData(), "ConeAngle", coneAngles(result.flat));
   authalic::addField(output, "SeamPairs", seamPairs(result.seams));

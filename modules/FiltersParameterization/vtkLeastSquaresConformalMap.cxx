@@ -35,7 +35,7 @@ void vtkLeastSquaresConformalMap::Compute(vtkInformationVector** inputs, vtkInfo
   const authalic::LeastSquaresConformalMapResult result =
       authalic::leastSquaresConformalMap(disk, options, execution);
   authalic::MapReport report;
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces()).summary;
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares()).summary;
   authalic::addField(output, "ConformalEnergy", result.conformalEnergy);
   report.method = "lscm";
   report.status = result.status;

@@ -48,7 +48,7 @@ void vtkLieAdvection::Compute(vtkInformationVector** inputs, vtkInformationVecto
   const authalic::LieAdvectionResult advection =
       authalic::lieAdvection(disk, initial, target, options, execution.part(0.05, 1.0));
   const authalic::Distortion distortion =
-      authalic::fillMap(input, output, disk.mesh(), advection.image, target.faces());
+      authalic::fillMap(input, output, disk.mesh(), advection.image, target.shares());
   authalic::MapReport report = authalic::describeLieAdvection(advection, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());

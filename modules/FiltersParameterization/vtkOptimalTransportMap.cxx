@@ -1,7 +1,6 @@
 #include "vtkOptimalTransportMap.h"
 
 #include <optional>
-#include <utility>
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -9,10 +8,11 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include "AuthalicReport.h"
+#include "ConformalImages.h"
 #include "Conversion.h"
 #include "Core/authalic/AuthalicMap.h"
-#include "Core/base/Error.h"
-#include "Core/conformal/RiemannMap.h"
+#include "Core/geometry/Areas.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
@@ -26,16 +26,6 @@ authalic::Points3 lifted(const authalic::Points2& points) {
   authalic::Points3 result = authalic::Points3::Zero(points.rows(), 3);
   result.leftCols(2) = points;
   return result;
-}
-
-authalic::Points2 riemannImage(const authalic::DiskMesh& disk, int domain, const authalic::Execution& execution) {
-  if (domain != vtkOptimalTransportMap::DISK) {
-    throw authalic::InvalidArgument(
-        "The domain disk is required for sites from the Riemann map; take the harmonic map.");
-  }
-  authalic::RiemannMapResult riemann = authalic::riemannMap(disk, {}, execution);
-  if (riemann.status == authalic::Status::Cancelled) throw authalic::CancelledError();
-  return std::move(riemann.image);
 }
 
 void addMapArrays(vtkPolyData* map, const authalic::OptimalTransportMapResult& result) {
@@ -73,8 +63,9 @@ int vtkOptimalTransportMap::FillInputPortInformation(int port, vtkInformation* i
 }
 
 authalic::Json vtkOptimalTransportMap::DescribeAllOptions(bool initialMapGiven) const {
+  const bool riemann = this->InitialMethod == RIEMANN || this->Balance < 1 || !this->BalanceArrayName.empty();
   authalic::Json options = this->DescribeOptions();
-  options.set("initial", initialMapGiven ? "given" : this->InitialMethod == RIEMANN ? "riemann" : "harmonic");
+  options.set("initial", initialMapGiven ? "given" : riemann ? "riemann" : "harmonic");
   options.set("tolerance", this->Tolerance);
   options.set("max_iterations", this->MaximumIterations);
   options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
@@ -94,19 +85,29 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
   authalic::Points2 initial;  // empty: Core starts from the harmonic map
+  authalic::TargetMeasure wanted = target;
+  const authalic::Balance balance{this->Balance, this->BalanceArrayName};
+  if (!balance.whole() || (!given && this->InitialMethod == RIEMANN)) {
+    initial = authalic::conformalImage(disk, this->Domain == DISK,
+                                       balance.whole() ? "sites from the Riemann map" : "a balance below 1",
+                                       balance.whole(), execution.part(0, 0.1));
+  }
+  if (!balance.whole()) {
+    const Eigen::VectorXd areas = authalic::signedFaceAreas(initial, disk.mesh().faces());
+    wanted = authalic::balancedTarget(input, disk.mesh(), target, areas, balance);
+  }
   if (given) initial = authalic::toPlanarPoints(given);
-  else if (this->InitialMethod == RIEMANN) initial = riemannImage(disk, this->Domain, execution.part(0, 0.1));
   const double share = this->Finish == AUTHALIC ? 0.4 : 1.0;  // of the progress
   const authalic::OptimalTransportMapResult result = authalic::optimalTransportMap(
-      disk, target.vertices(), options, initial, execution.part(0.1, share));
+      disk, wanted.vertices(), options, initial, execution.part(0.1, share));
   std::optional<authalic::AuthalicMapResult> finished;
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
     authalic::AuthalicMapOptions exact;
     exact.domain = options.domain;
-    finished = authalic::authalicMap(disk, target, exact, result.image, execution.part(share, 1));
+    finished = authalic::authalicMap(disk, wanted, exact, result.image, execution.part(share, 1));
   }
   const authalic::Points2& image = finished ? finished->image : result.image;
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.shares());
   const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
   authalic::MapReport report =
       authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
@@ -118,6 +119,8 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeAllOptions(given != nullptr);
+  authalic::describeBalance(balance, report.options, output);
+  if (!balance.whole()) report.method = "balanced";
   addMapArrays(output, result);
   fillCells(vtkPolyData::GetData(outputs, 1), result);
   this->Publish(output, report);
@@ -129,4 +132,6 @@ void vtkOptimalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
+  os << indent << "Balance: " << this->Balance << "\n";
+  os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
 }

@@ -21,7 +21,8 @@
  * | 0 | point | Site | 3 double | y_i: the initial map |
  * | 0 | point | CellArea | 1 double | area of the cell |
  * | 0 | point | Potential | 1 double | u at the image, u(x) = max over i of ⟨x, y_i⟩ + h_i |
- * | 0 | field | Method | 1 string | transport |
+ * | 0 | field | Method | 1 string | transport; balanced with a balance |
+ * | 0 | field | Balance | 1 double | as set; without BalanceArrayName |
  * | 0 | field | TransportResidual | 1 double | max of the absolute difference of cell area and target / mean target |
  * | 0 | field | TransportCost | 1 double | W₂² = Σ ∫ over cells of the squared distance to the site |
  * | 0 | field | DisplacementCost | 1 double | Σ ν times squared distance of image and site, before the finish |
@@ -41,6 +42,8 @@
 
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkDiskMapAlgorithm.h"
+
+#include <string> // for BalanceArrayName
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkOptimalTransportMap : public vtkDiskMapAlgorithm
 {
@@ -89,6 +92,24 @@ public:
   void SetFinishToAuthalic() { this->SetFinish(AUTHALIC); }
   ///@}
 
+  ///@{
+  /**
+   * Weight of the areas, 0 to 1: the masses are (1 - Balance) × the areas of the conformal map + Balance × the measure,
+   * and below 1 the sites are that map. 1 = area-preserving, 0 = conformal. Domain DISK only when below 1. Default 1.
+   */
+  vtkSetClampMacro(Balance, double, 0.0, 1.0);
+  vtkGetMacro(Balance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Point array of weights, 0 to 1 at every vertex, that takes the place of Balance: the balance from place to place.
+   * Empty = Balance everywhere. Domain DISK only. Default empty.
+   */
+  vtkSetMacro(BalanceArrayName, std::string);
+  vtkGetMacro(BalanceArrayName, std::string);
+  ///@}
+
 protected:
   vtkOptimalTransportMap();
   ~vtkOptimalTransportMap() override = default;
@@ -100,6 +121,8 @@ protected:
   double Tolerance;
   int MaximumIterations;
   int Finish = NO_FINISH;
+  double Balance = 1.0;
+  std::string BalanceArrayName;
 
 private:
   authalic::Json DescribeAllOptions(bool initialMapGiven) const;

@@ -32,7 +32,7 @@ void vtkRiemannMap::Compute(vtkInformationVector** inputs, vtkInformationVector*
   if (result.status == authalic::Status::Cancelled) throw authalic::CancelledError();
   const authalic::Distortion distortion =
       result.refinement ? authalic::fillRefinedMap(input, output, *result.refinement)
-                        : authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+                        : authalic::fillMap(input, output, disk.mesh(), result.image, target.shares());
   if (!result.refinement) authalic::addArray(output->GetPointData(), "LogScaleFactor", result.logScale);
   authalic::MapReport report = authalic::describeConformalMap("riemann", result, output);
   authalic::addField(output, "Roundness", result.roundness);

@@ -1,37 +1,19 @@
 #include "vtkSphericalAuthalicMap.h"
 
-#include <string>
-#include <utility>
-
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 #include "AuthalicReport.h"
+#include "ConformalImages.h"
 #include "Conversion.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
-#include "Core/base/Error.h"
-#include "Core/conformal/SphericalConformalMap.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/mesh/SphereMesh.h"
 #include "MapArrays.h"
 
 vtkStandardNewMacro(vtkSphericalAuthalicMap);
-
-namespace {
-
-authalic::Points3 conformalImage(const authalic::SphereMesh& sphere, const authalic::Execution& execution) {
-  authalic::SphericalMapResult conformal = authalic::sphericalConformalMap(sphere, {}, execution);
-  if (conformal.status == authalic::Status::Cancelled) throw authalic::CancelledError();
-  if (conformal.flippedFaces > 0) {
-    throw authalic::GeometryError("A conformal map without folds is required for a balance below 1, but " +
-                                  std::to_string(conformal.flippedFaces) + " faces of it are folded.");
-  }
-  return std::move(conformal.image);
-}
-
-}  // namespace
 
 vtkSphericalAuthalicMap::vtkSphericalAuthalicMap() { this->SetNumberOfInputPorts(2); }
 
@@ -53,7 +35,7 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   authalic::TargetMeasure wanted = target;
   const authalic::Balance balance{this->Balance, this->BalanceArrayName};
   if (!balance.whole()) {
-    const authalic::Points3 conformal = conformalImage(sphere, execution.part(0, 0.3));
+    const authalic::Points3 conformal = authalic::conformalImage(sphere, "a balance below 1", execution.part(0, 0.3));
     const Eigen::VectorXd areas = authalic::signedSolidAngles(conformal, sphere.mesh().faces());
     wanted = authalic::balancedTarget(input, sphere.mesh(), target, areas, balance);
     if (!given) initial = conformal;
@@ -61,7 +43,7 @@ void vtkSphericalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformat
   const authalic::SphericalAuthalicMapResult result = authalic::sphericalAuthalicMap(
       sphere, wanted, options, initial, execution.part(balance.whole() ? 0 : 0.3, 1));
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());

@@ -104,7 +104,7 @@ void vtkSphericalConformalMap::Compute(vtkInformationVector** inputs, vtkInforma
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, sphere.mesh(), this->MeasureArrayName);
   const authalic::SphericalMapResult map = authalic::sphericalConformalMap(sphere, options, execution);
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), map.image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), map.image, target.shares());
   authalic::MapReport report;
   report.method = options.road == SphereRoad::Welding ? "welding" : "sphere";
   report.status = map.status;

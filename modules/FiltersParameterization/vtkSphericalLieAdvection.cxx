@@ -39,7 +39,7 @@ void vtkSphericalLieAdvection::Compute(vtkInformationVector** inputs, vtkInforma
   const authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
   const auto result = authalic::sphericalLieAdvection(sphere, target, options, initial, execution);
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeLieAdvection(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());

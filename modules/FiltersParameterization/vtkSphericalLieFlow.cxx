@@ -32,7 +32,7 @@ void vtkSphericalLieFlow::Compute(vtkInformationVector** inputs, vtkInformationV
   const authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
   const auto result = authalic::sphericalLieFlow(sphere, target, options, initial, execution);
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), result.image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), result.image, target.shares());
   authalic::MapReport report = authalic::describeLieFlow(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(sphere.mesh(), sphere.topology());

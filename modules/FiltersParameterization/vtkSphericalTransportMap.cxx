@@ -8,8 +8,11 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include "AuthalicReport.h"
+#include "ConformalImages.h"
 #include "Conversion.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/geometry/SphericalAreas.h"
 #include "Core/transport/SphericalTransportMap.h"
 #include "FieldArrays.h"
 #include "MapArrays.h"
@@ -42,17 +45,26 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   options.validate();
   const authalic::SphereMesh sphere(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, sphere.mesh(), this->MeasureArrayName);
+  authalic::Points3 initial = given ? authalic::toPoints(given) : authalic::Points3();
+  authalic::TargetMeasure wanted = target;
+  const authalic::Balance balance{this->Balance, this->BalanceArrayName};
+  if (!balance.whole()) {
+    const authalic::Points3 conformal =
+        authalic::conformalImage(sphere, "a balance below 1", execution.part(0, 0.2));
+    const Eigen::VectorXd areas = authalic::signedSolidAngles(conformal, sphere.mesh().faces());
+    wanted = authalic::balancedTarget(input, sphere.mesh(), target, areas, balance);
+    if (!given) initial = conformal;
+  }
   const double share = this->Finish == AUTHALIC ? 0.5 : 1.0;  // of the progress
   const authalic::SphericalTransportMapResult result = authalic::sphericalTransportMap(
-      sphere, target.vertices(), options, given ? authalic::toPoints(given) : authalic::Points3(),
-      execution.part(0, share));
+      sphere, wanted.vertices(), options, initial, execution.part(balance.whole() ? 0 : 0.2, share));
   std::optional<authalic::SphericalAuthalicMapResult> finished;
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
-    finished = authalic::sphericalAuthalicMap(sphere, target, {}, result.image, execution.part(share, 1));
+    finished = authalic::sphericalAuthalicMap(sphere, wanted, {}, result.image, execution.part(share, 1));
   }
   const authalic::Points3& image = finished ? finished->image : result.image;
   const authalic::SphericalDistortion distortion =
-      authalic::fillMap(input, output, sphere.mesh(), image, target.faces());
+      authalic::fillMap(input, output, sphere.mesh(), image, target.shares());
   const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
   authalic::MapReport report =
       authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
@@ -69,6 +81,8 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   report.options.set("tolerance", this->Tolerance);
   report.options.set("max_iterations", this->MaximumIterations);
   report.options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
+  authalic::describeBalance(balance, report.options, output);
+  if (!balance.whole()) report.method = "balanced";
   authalic::addArray(output->GetPointData(), "Site", result.sites);
   authalic::addArray(output->GetPointData(), "CellArea", result.cellAreas);
   authalic::addArray(output->GetPointData(), "Potential", result.potential);
@@ -81,4 +95,6 @@ void vtkSphericalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
+  os << indent << "Balance: " << this->Balance << "\n";
+  os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
 }

@@ -68,7 +68,7 @@ void vtkStretchEnergyMap::Compute(vtkInformationVector** inputs, vtkInformationV
   const authalic::StretchEnergyMapResult result =
       authalic::stretchEnergyMap(disk, initial, target, options, execution.part(0.05, 1.0));
   authalic::MapReport report = describe(result);
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces()).summary;
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares()).summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());
   report.options = this->DescribeOptions();
   report.options.set("initial", given ? "given" : authalic::barycentricWeightsName(start.weights));

@@ -56,7 +56,7 @@ void vtkStretchMinimisation::Compute(vtkInformationVector** inputs, vtkInformati
   options.maxIterations = this->MaximumIterations;
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
   const authalic::StretchMinimisationResult result = authalic::stretchMinimisation(disk, options, execution);
-  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces());
+  const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares());
   authalic::MapReport report = describe(result, output);
   report.metrics = distortion.summary;
   report.topology = authalic::inspect(disk.mesh(), disk.topology());

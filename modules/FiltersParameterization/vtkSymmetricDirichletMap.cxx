@@ -48,7 +48,7 @@ void vtkSymmetricDirichletMap::Compute(vtkInformationVector** inputs, vtkInforma
   const authalic::SymmetricDirichletMapResult result =
       authalic::symmetricDirichletMap(disk, initial, options, execution.part(0.1, 1));
   authalic::MapReport report;
-  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.faces()).summary;
+  report.metrics = authalic::fillMap(input, output, disk.mesh(), result.image, target.shares()).summary;
   authalic::addField(output, "Energy", result.energy);
   report.method = "slim";
   report.status = result.status;

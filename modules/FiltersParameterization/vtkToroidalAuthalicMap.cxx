@@ -25,7 +25,7 @@ void vtkToroidalAuthalicMap::Compute(vtkInformationVector** inputs, vtkInformati
   const authalic::ToroidalAuthalicMapResult result =
       authalic::toroidalAuthalicMap(torus, target, options, execution);
   const authalic::Distortion distortion = authalic::fillOpenedMap(
-      input, output, {result.cut.faces, result.cut.originalPointIds}, result.image, target.faces());
+      input, output, {result.cut.faces, result.cut.originalPointIds}, result.image, target.shares());
   authalic::MapReport report = authalic::describeAuthalicMap(result, output);
   const std::vector<double> periods(result.lattice.data(), result.lattice.data() + 4);  // column by column
   authalic::addField(output, "Periods", periods);

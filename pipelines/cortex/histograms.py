@@ -1,7 +1,8 @@
-"""Histograms of what two maps do to areas and angles, weighted by native area."""
+"""Charts of what maps do to areas and angles: histograms weighted by native area, and curves."""
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401  VTK's factory for charts
@@ -26,6 +27,27 @@ def histogram_actor(series, weights, ticks, width, title, unit, of="share of the
     _axis(chart.GetAxis(vtkAxis.BOTTOM), unit, ticks)
     top = 10 * np.ceil(max(_shares(values, weights, edges).max() for _, values, _ in series) / 10)
     _axis(chart.GetAxis(vtkAxis.LEFT), of, np.linspace(0, top, 6))
+    return _shown(chart)
+
+
+def curve_actor(series, x_ticks, y_ticks, title, x_title, y_title):
+    """A chart of lines, the y axis logarithmic: series = [(name, x, y > 0, colour)], y_ticks powers of ten."""
+    chart = vtkChartXY()
+    chart.SetTitle(title)
+    _style(chart.GetTitleProperties(), 20, bold=True)
+    for name, x, y, colour in series:
+        _line(chart, name, x, np.log10(y), colour)
+    _axis(chart.GetAxis(vtkAxis.BOTTOM), x_title, x_ticks)
+    axis = chart.GetAxis(vtkAxis.LEFT)
+    _axis(axis, y_title, np.log10(y_ticks))
+    labels = vtkStringArray()
+    for tick in y_ticks:
+        labels.InsertNextValue(f"{tick:g}")
+    axis.SetCustomTickPositions(axis.GetTickPositions(), labels)
+    return _shown(chart)
+
+
+def _shown(chart):
     chart.SetShowLegend(True)
     _style(chart.GetLegend().GetLabelProperties(), 15)
     chart.GetLegend().SetPadding(12)
@@ -43,10 +65,13 @@ def _shares(values, weights, edges):
 
 def _outline(chart, name, shares, edges, colour):
     x = np.repeat(edges, 2)
-    y = np.concatenate([[0], np.repeat(shares, 2), [0]])
+    _line(chart, name, x, np.concatenate([[0], np.repeat(shares, 2), [0]]), colour)
+
+
+def _line(chart, name, x, y, colour):
     table = vtkTable()
     for label, column in (("x", x), (name, y)):
-        array = numpy_to_vtk(np.ascontiguousarray(column), deep=1)
+        array = numpy_to_vtk(np.ascontiguousarray(column, dtype=float), deep=1)
         array.SetName(label)
         table.AddColumn(array)
     plot = chart.AddPlot(vtkChart.LINE)

@@ -60,6 +60,11 @@ class Gallery:
             prop = scenes.point_actor(mesh, array, table, lit)
         self.add_prop(caption, prop, points, direction, table)
 
+    @staticmethod
+    def faces(surface, array, table):
+        """An actor: the triangles where they are, each in the colour of its face array."""
+        return scenes.cell_actor(drawn(surface, surface.points), array, table)
+
     def add_prop(self, caption, prop, points, direction=(1, 0, 0), table=None):
         """Anything that VTK draws, seen as `points` are."""
         self.panels.append((caption, prop, look(points, direction), table))
@@ -73,6 +78,14 @@ class Gallery:
             edges = np.array(counted["edges"])
             series.append((name, np.repeat((edges[1:] + edges[:-1]) / 2, counted["counts"]), colour))
         chart = histograms.histogram_actor(series, None, ticks, bins * (edges[1] - edges[0]), title, unit, "share in %")
+        self.panels.append((None, chart, None, None))
+
+    def add_curves(self, series, x_ticks, y_ticks, title, x_title, y_title):
+        """Lines over a logarithmic axis, [(name, x, y, colour)]."""
+        self.add_prop_chart(histograms.curve_actor(series, x_ticks, y_ticks, title, x_title, y_title))
+
+    def add_prop_chart(self, chart):
+        """A chart that was made already."""
         self.panels.append((None, chart, None, None))
 
     def save(self, path):

@@ -23,7 +23,7 @@ class AuthalicFamily : public MapFamily {
            "surface of genus 0 to --domain sphere, a torus to --domain torus (flat, cut open, with "
            "OriginalPointIds), a closed surface of genus 2 or more to --domain flat-cones (flat but for cones, cut "
            "open), a surface with holes to --domain circle-domain (unit disk without round "
-           "holes) or annulus (one hole, in the middle).";
+           "holes) or annulus (one hole, in the middle), a tube also to --domain periodic-rectangle (cut open).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -33,33 +33,19 @@ class AuthalicFamily : public MapFamily {
         {"--tolerance",
          "residual sqrt(D_area - 2) of faces (default: " + shown(defaults_->GetTolerance()) + ")"},
         {"--max-iterations", "steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
-        {"--hole-areas", "--domain circle-domain and annulus"}};
+        {"--hole-areas", "--domain circle-domain and annulus"},
+        {"--balance", "(default: " + shown(defaults_->GetBalance()) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
-    own(verb->add_option("--balance", balance_,
-                         "To the disk or the sphere: weight of the areas against the angles, 0 (conformal) to 1; or a "
-                         "weight per vertex, in an array or a file."))
-        ->type_name("T|ARRAY|FILE")->default_str(shown(defaults_->GetBalance()));
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
-    const std::string domain = shared.domain.value_or("disk");
-    if (balance_ && domain != "disk" && domain != "sphere") {
-      throw Failure(UsageProblem, "--balance needs --domain disk or sphere; it is '" + domain + "'.");
-    }
-    const auto weight = balanceNumber();
-    if (weight && !(*weight >= 0 && *weight <= 1)) {
-      throw Failure(UsageProblem,
-                    "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *balance_ + ".");
-    }
-    if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
-    if (!shared.holeAreas.empty()) {
-      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
-    }
+    const std::optional<double> weight = balanceNumber(shared);
+    if (const auto holed = holedFilter<vtkCircleDomainAuthalicMap>(shared)) return configured(holed, shared, session);
     if (shared.domain == "sphere") {
       const auto map = vtkSmartPointer<vtkSphericalAuthalicMap>::New();
       if (weight) map->SetBalance(*weight);
@@ -75,29 +61,15 @@ class AuthalicFamily : public MapFamily {
     return configured(map, shared, session);
   }
 
-  void addArrays(vtkSurfaceMapAlgorithm* map, vtkSmartPointer<vtkPolyData>& surface,
+  void addArrays(vtkSurfaceMapAlgorithm* map, const SharedMapOptions& shared, vtkSmartPointer<vtkPolyData>& surface,
                  const Session& session) const override {
-    if (!balance_ || balanceNumber()) return;
-    const std::string array = arrayOf(surface, *balance_, session);
-    if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) disk->SetBalanceArrayName(array);
-    if (auto* sphere = vtkSphericalAuthalicMap::SafeDownCast(map)) sphere->SetBalanceArrayName(array);
+    const std::optional<std::string> array = balanceArray(shared, surface, session);
+    if (!array) return;
+    if (auto* disk = vtkAuthalicMap::SafeDownCast(map)) disk->SetBalanceArrayName(*array);
+    if (auto* sphere = vtkSphericalAuthalicMap::SafeDownCast(map)) sphere->SetBalanceArrayName(*array);
   }
 
  private:
-  /// The balance where it is one number.
-  std::optional<double> balanceNumber() const {
-    double number = 0;
-    if (balance_ && CLI::detail::lexical_cast(*balance_, number)) return number;
-    return std::nullopt;
-  }
-
-  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
-    const auto map = vtkSmartPointer<vtkCircleDomainAuthalicMap>::New();
-    map->SetConcentric(shared.domain == "annulus");
-    for (const double area : shared.holeAreas) map->AddHoleArea(area);
-    return configured(map, shared, session);
-  }
-
   template <class Filter>
   vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
                                      const Session& session) const {
@@ -110,7 +82,6 @@ class AuthalicFamily : public MapFamily {
 
   vtkNew<vtkAuthalicMap> defaults_;
   std::optional<double> vertexTolerance_;
-  std::optional<std::string> balance_;
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ class LieFlowFamily : public MapFamily {
   std::string description() const override {
     return "lie-flow: area-preserving, or to a measure of yours (--measure); a disk to --domain disk, square, "
            "rectangle:ASPECT or polygon:FILE (convex or not), a closed surface of genus 0 to --domain sphere, a "
-           "surface with holes to --domain circle-domain or annulus.";
+           "surface with holes to --domain circle-domain or annulus, a tube also to --domain periodic-rectangle (cut "
+           "open, with OriginalPointIds).";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -48,10 +49,7 @@ class LieFlowFamily : public MapFamily {
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
-    if (shared.domain == "circle-domain" || shared.domain == "annulus") return holed(shared, session);
-    if (!shared.holeAreas.empty()) {
-      throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
-    }
+    if (const auto holed = holedFilter<vtkCircleDomainLieFlow>(shared)) return configured(holed, shared, session);
     if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalLieFlow>::New(), shared, session);
     const auto flow = vtkSmartPointer<vtkDiscreteLieFlow>::New();
     setDiskDomain(flow, shared.domain);
@@ -59,13 +57,6 @@ class LieFlowFamily : public MapFamily {
   }
 
  private:
-  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(const SharedMapOptions& shared, const Session& session) const {
-    const auto flow = vtkSmartPointer<vtkCircleDomainLieFlow>::New();
-    flow->SetConcentric(shared.domain == "annulus");
-    for (const double area : shared.holeAreas) flow->AddHoleArea(area);
-    return configured(flow, shared, session);
-  }
-
   template <class Filter>
   vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> flow, const SharedMapOptions& shared,
                                      const Session& session) const {

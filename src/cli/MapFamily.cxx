@@ -45,7 +45,8 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
   if (name == "square" && argument.empty()) return filter->SetDomainToSquare();
   if (name == "polygon" && !argument.empty()) return setPolygon(filter, argument);
   if (name == "rectangle" && !argument.empty()) return setRectangle(filter, argument);
-  for (const char* other : {"sphere", "annulus", "circle-domain", "torus", "flat-cones", "free"}) {
+  for (const char* other :
+       {"sphere", "annulus", "circle-domain", "periodic-rectangle", "torus", "flat-cones", "free"}) {
     if (name == other) {
       throw Failure(UsageProblem, "--domain " + name + " is not for maps of a disk by this method; take disk, square, "
                                   "rectangle:ASPECT or polygon:FILE.");
@@ -53,6 +54,30 @@ void setDiskDomain(vtkDiskMapAlgorithm* filter, const std::optional<std::string>
   }
   throw Failure(UsageProblem,
                 "--domain must be disk, square, rectangle:ASPECT or polygon:FILE; it is '" + *text + "'.");
+}
+
+std::optional<double> balanceNumber(const SharedMapOptions& shared) {
+  if (!shared.balance) return std::nullopt;
+  const std::string domain = shared.domain.value_or("disk");
+  if (domain != "disk" && domain != "sphere") {
+    throw Failure(UsageProblem, "--balance needs --domain disk or sphere; it is '" + domain + "'.");
+  }
+  double number = 0;
+  if (!CLI::detail::lexical_cast(*shared.balance, number)) return std::nullopt;
+  if (number >= 0 && number <= 1) return number;
+  throw Failure(UsageProblem,
+                "--balance must be from 0 (conformal) to 1 (area-preserving); it is " + *shared.balance + ".");
+}
+
+std::optional<std::string> balanceArray(const SharedMapOptions& shared, vtkSmartPointer<vtkPolyData>& surface,
+                                        const Session& session) {
+  if (!shared.balance || balanceNumber(shared)) return std::nullopt;
+  return arrayOf(surface, *shared.balance, session);
+}
+
+const std::vector<std::string>& holedDomains() {
+  static const std::vector<std::string> names = {"circle-domain", "annulus", "periodic-rectangle"};
+  return names;
 }
 
 bool isFile(const std::string& nameOrPath) { return nameOrPath.find('.') != std::string::npos; }

@@ -2,6 +2,7 @@
 /// The methods of `authalic map`, in families that share a filter and their options.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,6 +26,7 @@ struct SharedMapOptions {
   std::optional<double> tolerance;
   std::optional<int> maxIterations;
   bool noUnfold = false;
+  std::optional<std::string> balance;
   std::vector<double> holeAreas;
   SpaceOption space;
 };
@@ -50,7 +52,8 @@ class MapFamily {
                                                                        const Session& session) const = 0;
 
   /// Adds arrays that options name as files to the surface, and names them to the filter.
-  virtual void addArrays(vtkSurfaceMapAlgorithm*, vtkSmartPointer<vtkPolyData>&, const Session&) const {}
+  virtual void addArrays(vtkSurfaceMapAlgorithm*, const SharedMapOptions&, vtkSmartPointer<vtkPolyData>&,
+                         const Session&) const {}
   /// Further files that the family's options name, to be written.
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
   /// Writes them, and says what a user of the method looks for, after the filter has run.
@@ -82,6 +85,26 @@ class MapFamily {
 /// Whether an option that takes a name or a file was given a file.
 [[nodiscard]] bool isFile(const std::string& nameOrPath);
 
+/// circle-domain, annulus, periodic-rectangle: the domains of maps of surfaces with holes, in the order of the filters'
+/// enumerations.
+[[nodiscard]] const std::vector<std::string>& holedDomains();
+
+/// The filter for one of them, with the areas of its holes; null for other domains.
+/// @throws Failure when there are hole areas for a domain without holes
+template <class Filter>
+vtkSmartPointer<Filter> holedFilter(const SharedMapOptions& shared) {
+  const auto& domains = holedDomains();
+  const auto found = std::find(domains.begin(), domains.end(), shared.domain.value_or("disk"));
+  if (!shared.holeAreas.empty() && (found == domains.end() || *found == "periodic-rectangle")) {
+    throw Failure(UsageProblem, "--hole-areas need --domain circle-domain or annulus.");
+  }
+  if (found == domains.end()) return nullptr;
+  const auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetDomain(static_cast<int>(found - domains.begin()));
+  for (const double area : shared.holeAreas) filter->AddHoleArea(area);
+  return filter;
+}
+
 /// Sets the planar domain that `text` names (disk, square, rectangle:ASPECT, polygon:FILE); the disk when there is
 /// none.
 /// @throws Failure
@@ -103,6 +126,14 @@ void setInitial(vtkSurfaceMapAlgorithm* filter, DiskFilter* disk, const SharedMa
                                     "; leave it out, the start is found by the method.");
   }
 }
+
+/// --balance where it is one number.
+/// @throws Failure when it is outside [0, 1], or the domain is neither disk nor sphere
+[[nodiscard]] std::optional<double> balanceNumber(const SharedMapOptions& shared);
+
+/// The point array that --balance names, or reads from a file; none when it is a number.
+[[nodiscard]] std::optional<std::string> balanceArray(const SharedMapOptions& shared,
+                                                      vtkSmartPointer<vtkPolyData>& surface, const Session& session);
 
 /// A number as the help page shows it.
 [[nodiscard]] std::string shown(double value);

@@ -124,7 +124,7 @@ void runMap(const MapOptions& o, const Session& session) {
   requireWritable(files);
   vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.shared.space);
   const vtkSmartPointer<vtkSurfaceMapAlgorithm> filter = family.filter(o.method, o.shared, session);
-  family.addArrays(filter, surface, session);
+  family.addArrays(filter, o.shared, surface, session);
   if (o.textureCoordinates) filter->SetOutputModeToTextureCoordinates();
   filter->SetMeasureArrayName(o.density.apply(surface, session));
   filter->SetInputData(0, surface);
@@ -180,7 +180,11 @@ void declareShared(CLI::App* verb, MapOptions& o) {
       verb->add_option("--hole-areas", o.shared.holeAreas,
                        "Area of every hole but the longest loop, mm^2, > 0, in the order of the loops' smallest vertex "
                        "ids; by default, of the cones that close them. " + meanings(o, "--hole-areas"))
-          ->type_name("AREA...")};
+          ->type_name("AREA..."),
+      verb->add_option("--balance", o.shared.balance,
+                       "To the disk or the sphere: weight of the areas against the angles, 0 (conformal) to 1; or a "
+                       "weight per vertex, in an array or a file. " + meanings(o, "--balance"))
+          ->type_name("T|ARRAY|FILE")};
 }
 
 }  // namespace

@@ -11,15 +11,20 @@ namespace {
 const std::vector<std::string> initials = {"harmonic", "riemann"};
 const std::vector<std::string> finishes = {"none", "authalic"};
 
+constexpr double kHalf = 0.5;  // the balance of "balanced" when none is asked for
+
 class TransportFamily : public MapFamily {
  public:
-  std::vector<std::string> methods() const override { return {"transport"}; }
+  std::vector<std::string> methods() const override { return {"transport", "balanced"}; }
 
   std::string description() const override {
     return "transport: area-preserving, or to a measure of yours (--measure), by optimal transport: the power cell of "
            "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
            "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
-           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere.";
+           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere.\n\n"
+           "balanced: between a conformal and an area-preserving map of a disk or, with --domain sphere, a closed "
+           "surface of genus 0: transport from the conformal map with --balance " + shown(kHalf) + " and --finish "
+           "authalic, if not given.";
   }
 
   std::map<std::string, std::string> sharedOptions() const override {
@@ -32,7 +37,8 @@ class TransportFamily : public MapFamily {
             {"--max-iterations",
              "Newton steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
             {"--finish", oneOf(finishes) + " (default: " +
-                             finishes[static_cast<std::size_t>(defaults_->GetFinish())] + ")"}};
+                             finishes[static_cast<std::size_t>(defaults_->GetFinish())] + "; balanced: authalic)"},
+            {"--balance", "(default: " + shown(defaults_->GetBalance()) + "; balanced: " + shown(kHalf) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
@@ -40,13 +46,25 @@ class TransportFamily : public MapFamily {
         ->type_name("CELLS.vtp");
   }
 
-  vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     if (!cells_.empty()) requireArrayFormat("--cells", cells_);
-    if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), shared, session);
+    const bool balanced = method == "balanced";
+    if (shared.domain == "sphere") {
+      return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), balanced, shared, session);
+    }
     const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
     setDiskDomain(map, shared.domain);
-    return configured(map, shared, session);
+    if (balanced) map->SetInitialMethodToRiemann();
+    return configured(map, balanced, shared, session);
+  }
+
+  void addArrays(vtkSurfaceMapAlgorithm* map, const SharedMapOptions& shared, vtkSmartPointer<vtkPolyData>& surface,
+                 const Session& session) const override {
+    const std::optional<std::string> array = balanceArray(shared, surface, session);
+    if (!array) return;
+    if (auto* disk = vtkOptimalTransportMap::SafeDownCast(map)) disk->SetBalanceArrayName(*array);
+    if (auto* sphere = vtkSphericalTransportMap::SafeDownCast(map)) sphere->SetBalanceArrayName(*array);
   }
 
   std::vector<std::string> files() const override { return {cells_}; }
@@ -68,8 +86,10 @@ class TransportFamily : public MapFamily {
 
  private:
   template <class Filter>
-  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, const SharedMapOptions& shared,
+  vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, bool balanced, const SharedMapOptions& shared,
                                      const Session& session) const {
+    if (balanced) map->SetBalance(kHalf), map->SetFinishToAuthalic();
+    if (const std::optional<double> balance = balanceNumber(shared)) map->SetBalance(*balance);
     if (shared.tolerance) map->SetTolerance(*shared.tolerance);
     if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
     if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));

@@ -50,6 +50,8 @@ void addSample(CLI::App& app, Session& session);
 void addElements(CLI::App& app, Session& session);
 void addWeld(CLI::App& app, Session& session);
 void addDensity(CLI::App& app, Session& session);
+void addBalance(CLI::App& app, Session& session);
 void addConvert(CLI::App& app, Session& session);
+void addRepair(CLI::App& app, Session& session);
 
 }  // namespace authalic::cli

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", authalic::version());
   app.require_subcommand(1);
   for (const auto add :
-       {addInfo, addMap, addWeld, addCut, addExtract, addSample, addElements, addDensity, addConvert}) {
+       {addInfo, addMap, addBalance, addWeld, addCut, addExtract, addSample, addElements, addDensity, addConvert,
+        addRepair}) {
     add(app, session);
   }
   try {

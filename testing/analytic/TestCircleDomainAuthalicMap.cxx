@@ -151,6 +151,17 @@ TEST(CircleDomainAuthalicMap, RefusesHolesThatDoNotFitAndListsThatDoNotBelong) {
   EXPECT_THROW(map(), InvalidArgument);
 }
 
+TEST(CircleDomainAuthalicMap, NamesThePeriodicRectangleWhereALongTubeShrinksItsHoleToAPoint) {
+  const PolyAnnulusMesh tube(authalic::testing::revolutionMesh(
+      12, 80, [](double) { return 1.0; }, [](double t) { return 40 * t; }));
+  try {
+    (void)circleDomainAuthalicMap(tube, TargetMeasure(tube.mesh()));
+    FAIL() << "a tube 40 radii long was mapped";
+  } catch (const GeometryError& refused) {
+    EXPECT_NE(std::string(refused.what()).find("periodic-rectangle"), std::string::npos) << refused.what();
+  }
+}
+
 TEST(CircleDomainAuthalicMap, StopsWhenAskedAndSaysSo) {
   const PolyAnnulusMesh surface(holedDisk(12, {{{0.45, 0.1}, 0.15}}));
   const Execution execution({}, [] { return true; });

@@ -16,7 +16,8 @@ from command_line import ARGUMENTS, CommandLine, grid, main
 
 class Help(CommandLine):
     def test_every_verb_has_a_page_with_examples_and_exit_codes(self):
-        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "density", "convert"):
+        for verb in ("info", "map", "weld", "cut", "extract", "sample", "elements", "density", "convert",
+                     "repair"):
             page = self.succeeds(verb, "--help")
             for section in ("SYNOPSIS", "DESCRIPTION", "ARGUMENTS", "OPTIONS", "EXAMPLES", "EXIT CODES"):
                 self.assertIn(section, page, verb)

@@ -191,6 +191,33 @@ class Results(CommandLine):
         self.assertIn("vertex 0", self.fails(2, "map", "authalic", fixtures / name, "-o", "m.vtp", "--balance", "t.txt",
                                              "--domain", "sphere"))
 
+    def test_balanced_maps_lie_between_conformal_and_area_preserving(self):
+        fixtures = pathlib.Path(ARGUMENTS.fixtures)
+        for name, count, domain in (("bumpy_disk.off", 1261, "disk"), ("folded_sphere.off", 4098, "sphere")):
+            surface, areas = fixtures / name, []
+            (self.here / "t.txt").write_text("0.5\n" * count)
+            for balance in ([], ["--balance", "t.txt"], ["--balance", 1]):
+                self.succeeds("map", "balanced", surface, "-o", "m.vtp", "--domain", domain, *balance, "--report",
+                              "r.json", "-q")
+                report = json.loads((self.here / "r.json").read_text())
+                self.assertEqual((report["status"], report["flips"]), ("converged", 0), (name, balance))
+                areas.append(report["metrics"]["area_distortion"])
+            self.assertEqual(areas[0], areas[1])
+            self.assertLess(areas[2], min(2.001, areas[0]))
+            self.assertIn("from 0", self.fails(2, "map", "balanced", surface, "-o", "m.vtp", "--domain", domain,
+                                               "--balance", 2))
+            self.succeeds("balance", surface, "-o", "c.tsv", "--at", 0.5, 1, "-q")
+            header, *rows = (line.split("\t") for line in (self.here / "c.tsv").read_text().splitlines())
+            self.assertEqual([float(row[0]) for row in rows], [0.5, 1])
+            self.assertAlmostEqual(float(rows[0][header.index("area_distortion")]), areas[0], delta=2e-3)
+            about = json.loads((self.here / "c.json").read_text())
+            self.assertEqual(about["Curve"]["status"], "converged")
+            self.assertTrue(set(header) <= set(about))
+        self.fails(2, "balance", surface, "-o", "c.tsv", "--at", 1.5)
+        self.fails(2, "balance", surface, "-o", "c.tsv", "--values", 1)
+        self.fails(3, "balance", fixtures / "torus.off", "-o", "c.tsv")
+        self.fails(2, "map", "balanced", fixtures / "bumpy_disk.off", "-o", "m.vtp", "--domain", "square")
+
     def test_curvature_may_be_the_measure(self):
         disk = pathlib.Path(ARGUMENTS.fixtures) / "bumpy_disk.off"
         (self.here / "k.txt").write_text("\n".join(str(v % 5) for v in range(1261)) + "\n")
@@ -208,6 +235,14 @@ class Results(CommandLine):
         report = json.loads((self.here / "h.json").read_text())
         self.assertEqual((report["status"], report["hole_areas"]), ("converged", [150]))
         self.assertLess(max(report["vertex_residual"], report["hole_residual"]), 1e-9)
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "periodic-rectangle", "--report", "h.json")
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["flips"], report["pockets"]), ("converged", 0, 0))
+        self.assertLess(report["vertex_residual"], 1e-9)
+        self.assertIn("need --domain", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain",
+                                                  "periodic-rectangle", "--hole-areas", 150))
+        self.assertIn("boundary loops", self.fails(3, "map", "authalic", self.sheet, "-o", "h.vtp", "--domain",
+                                                   "periodic-rectangle"))
         self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                                   "--hole-areas", 1, 2))
@@ -274,6 +309,7 @@ class Results(CommandLine):
         for method, name, domain in (("lie-flow", "folded_sphere.off", "sphere"),
                                      ("lie-flow", "bent_tube.off", "circle-domain"),
                                      ("lie-flow", "bent_tube.off", "annulus"),
+                                     ("lie-flow", "bent_tube.off", "periodic-rectangle"),
                                      ("lie-flow", "bumpy_disk.off", "polygon:l.txt"),
                                      ("lie-advection", "folded_sphere.off", "sphere"),
                                      ("lie-advection", "bumpy_disk.off", "rectangle:2")):

@@ -209,6 +209,46 @@ class ConformalSphere(Script):
         self.holds(4.5, *self.cortex()[:2])
 
 
+class Balance(Script):
+    def holds(self, *options):
+        self.run_script("balance.py", "--balances", 5, *options)
+        header, *rows = (line.split("\t") for line in
+                         (self.out / "curve.tsv").read_text(encoding="utf-8").splitlines())
+        angles, areas, folds = (np.array([float(row[header.index(name)]) for row in rows])
+                                for name in ("angle_distortion", "area_distortion", "flipped_faces"))
+        self.assertTrue((np.diff(angles) > 0).all() and (np.diff(areas) < 0).all() and not folds.any())
+        self.assertLess(areas[-1], 2.001)
+        self.has_picture("balance.png", charts=1)
+
+    def test_on_fixtures(self):
+        self.holds()
+
+    def test_on_real_data(self):
+        self.holds(*self.cortex()[:2])
+
+
+class FlowAgainstTransport(Script):
+    def holds(self, *options):
+        self.run_script("flow_against_transport.py", *options)
+        header, *rows = (line.split("\t") for line in
+                         (self.out / "flow.tsv").read_text(encoding="utf-8").splitlines())
+        for row in rows:
+            found = dict(zip(header, row))
+            self.assertEqual((found["flow_status"], found["transport_status"]), ("converged", "converged"))
+            self.assertLess(abs(float(found["difference_percent"])), 2)
+            self.assertLess(float(found["beltrami_p50"]), 0.4)
+        self.has_picture("flow.png", charts=1)
+
+    def test_on_fixtures(self):
+        self.holds()
+
+    def test_on_real_data(self):
+        lion = DATA / "meshes/open_disk/chinese_lion.off"
+        if not lion.exists():
+            self.skipTest(f"{lion} is not there")
+        self.holds("--disk", lion, "--radius", 8.4261)
+
+
 class Checkerboard(Script):
     def read_obj(self):
         """(vertices, texture coordinates per vertex, picture), by the format's own rules."""
@@ -256,6 +296,25 @@ class Checkerboard(Script):
 
     def test_on_real_data(self):
         self.holds(*self.cortex())
+
+
+class RepairSurface(Script):
+    def holds(self, handles, loops, *options):
+        self.assertIn(f"{handles} handle", self.run_script("repair_surface.py", *options))
+        report = json.loads((self.out / "repair.json").read_text(encoding="utf-8"))
+        self.assertEqual(report["changes"]["handles"]["count"], handles)
+        found = authalic.topology(authalic.read_surface(self.out / "repaired.vtp"))
+        self.assertEqual((found["genus"], found["oriented_manifold"], len(found["boundary_loops"])), (0, True, loops))
+        self.has_picture("repair.png")
+
+    def test_on_fixtures(self):
+        self.holds(1, 0)
+
+    def test_on_real_data(self):
+        path = DATA / "colon/EdinGCA_3D_00020_CTC_inflated/large-intestine-SF+-HF-.vtk"
+        if not path.exists():
+            self.skipTest(f"{path} is not there")
+        self.holds(3, 2, "--surface", path, "--scale", 0.808594, 0.808594, 0.7)
 
 
 class Tutorial(unittest.TestCase):

@@ -168,13 +168,26 @@ class Results(unittest.TestCase):
 
     def test_holes_get_the_areas_that_they_are_given(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
-        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], concentric=True, tolerance=0.05)
+        result = authalic.flatten(tube, method="authalic-holes", hole_areas=[150], domain="annulus", tolerance=0.05)
         self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0))
         self.assertLess(result.metrics["vertex_log_area_ratio_max_abs"], 1e-9)
         self.assertLess(result.report["hole_residual"], 1e-9)
         self.assertEqual(result.report["hole_areas"], [150])
         with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
             authalic.flatten(tube, method="annulus", hole_areas=[150])
+
+    def test_tubes_go_to_the_periodic_rectangle_cut_open(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        for method in ("authalic-holes", "lie-flow-holes"):
+            result = authalic.flatten(tube, method=method, domain="periodic-rectangle")
+            self.assertEqual((result.status, result.metrics["flipped_faces"]), ("converged", 0), method)
+            original = result.point_arrays["OriginalPointIds"]
+            copies = result.image[len(tube.points):] - result.image[original[len(tube.points):]]
+            self.assertEqual(len(copies), len(result.report["cut"]))
+            np.testing.assert_allclose(np.abs(copies), [[1, 0]] * len(copies), atol=1e-12)
+            area = result.report["height"] * result.report["circumference"]
+            a, b, c = (tube.points[tube.faces[:, k]] for k in range(3))
+            self.assertAlmostEqual(area / (np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2), 1, 9)
 
     def test_takes_whole_numbers_lists_single_precision_and_foreign_orders(self):
         points, faces = square_sheet(4)
@@ -392,6 +405,18 @@ class MeasureControl(unittest.TestCase):
         self.assertLess(np.mean(stiff[~inside]), np.mean(stiff[inside]))
         ball = authalic.read_surface(DATA / "folded_sphere.off")
         self.assertEqual(authalic.flatten(ball, domain="sphere", balance=0.5).status, "converged")
+
+    def test_the_curve_of_balances_says_what_angles_cost(self):
+        curve = authalic.balance_curve(self.points, self.faces, balances=[0, 0.5, 1])
+        self.assertEqual((curve.status, curve.report["status"], len(curve.report["seconds"]["maps"])),
+                         ("converged", "converged", 3))
+        self.assertTrue((np.diff(curve.table["angle_distortion"]) > 0).all())
+        self.assertTrue((np.diff(curve.table["area_distortion"]) < 0).all())
+        half = authalic.flatten(self.points, self.faces, method="balanced")
+        self.assertAlmostEqual(half.metrics["area_distortion"], curve.table["area_distortion"][1], delta=2e-3)
+        for balances in ([], [1.5], "half"):
+            with self.assertRaises(authalic.InvalidArgument):
+                authalic.balance_curve(self.points, self.faces, balances=balances)
 
     def test_what_cannot_be_is_refused_in_words(self):
         def refuses(words, **options):

@@ -43,6 +43,19 @@ def ring():
     return with_arrays(authalic.read_surface(DATA / "torus.off")).to_vtk()
 
 
+def broken_ring():
+    """The torus with a face twice and a hole."""
+    surface = authalic.read_surface(DATA / "torus.off")
+    faces = np.concatenate([surface.faces[1:], surface.faces[5:6]])
+    return with_arrays(authalic.Surface(surface.points, faces)).to_vtk()
+
+
+def soup():
+    """Triangles that do not meet."""
+    points = np.arange(9 * 9).reshape(27, 3) ** 2 % 31
+    return authalic.Surface(points, np.arange(27).reshape(9, 3)).to_vtk()
+
+
 def two_rings():
     return with_arrays(authalic.read_surface(DATA / "double_torus.off")).to_vtk()
 
@@ -111,6 +124,8 @@ CASES = {
     "vtkSphericalLieAdvection": Case((ball,), {"NumberOfSteps": 5}, wrong=(0, disk)),
     "vtkOptimalTransportMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalTransportMap": Case((ball,), wrong=(0, disk)),
+    "vtkBalanceCurve": Case((disk,), {"NumberOfBalances": 2}, wrong=(0, tube), keeps_vertices=False,
+                            adders={"AddBalance": (0.5,)}),
     "vtkAuthalicMap": Case((disk,), wrong=(0, ball), adders=CORNER),
     "vtkSphericalAuthalicMap": Case((ball,), wrong=(0, disk)),
     "vtkToroidalAuthalicMap": Case((ring,), wrong=(0, ball), keeps_vertices=False),
@@ -123,13 +138,14 @@ CASES = {
     "vtkCircleDomainMap": Case((tube,), wrong=(0, ball)),
     "vtkSphericalConformalMap": Case((ball,), wrong=(0, disk)),
     "vtkConformalWelding": Case((shell("upper"), shell("lower")), wrong=(0, disk), keeps_vertices=False),
-    "vtkCircleDomainAuthalicMap": Case((tube,), {"Concentric": True, "Tolerance": 0.05}, wrong=(0, ball),
+    "vtkCircleDomainAuthalicMap": Case((tube,), {"Domain": 1, "Tolerance": 0.05}, wrong=(0, ball),
                                        adders={"AddHoleArea": (150.0,)}),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkRegionDensity": Case((disk,), {"RegionMode": 1, "Radius": 25.0, "Blend": 5.0}, stops=False,
                              adders={"AddRegionValue": (3.5,), "AddRegionName": ("one",)}),
     "vtkCurvatureDensity": Case((ball,), stops=False),
+    "vtkSurfaceRepair": Case((broken_ring,), wrong=(0, soup), keeps_vertices=False),
     "vtkCutToDisk": Case((ball,), adders={"AddRegionValue": (3,)}, keeps_vertices=False),
     "vtkSampleVolumeOnSurface": Case((disk, volume), wrong=(1, vtkImageData)),
     "vtkLabelsOnSurface": Case((disk, volume), wrong=(1, vtkImageData)),

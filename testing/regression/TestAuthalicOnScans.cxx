@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "Core/authalic/AuthalicMap.h"
-#include "Core/distortion/Distortion.h"
+#include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/distortion/SphericalDistortion.h"
+#include "Formats/SurfaceFile.h"
 #include "support/OffFile.h"
 #include "support/SharedData.h"
 
@@ -25,6 +27,23 @@ TEST_P(AuthalicOnScansSlow, IsExactAtVerticesAndNearlySoOnFaces) {
   EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
   EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
   EXPECT_LT(summary.faceMeanAbsLog, 5e-3);
+}
+
+TEST(AuthalicOnScans, KeepsStarsExactOnACortexWithFacesWithoutArea) {
+  const std::string path = sharedData("cortex/subject1_fs/lh.pialsurface5");
+  AUTHALIC_NEEDS(path);
+  const SurfaceFile file = readSurface(path);
+  const SphereMesh sphere(
+      TriangleMesh(Eigen::Map<const Points3>(file.points.data(), Eigen::Index(file.points.size()) / 3, 3),
+                   Eigen::Map<const Faces>(file.faces.data(), Eigen::Index(file.faces.size()) / 3, 3)));
+  const TargetMeasure target(sphere.mesh());
+  const SphericalAuthalicMapResult result = sphericalAuthalicMap(sphere, target);
+  EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << ' ' << result.vertexResidual;
+  const DistortionSummary summary = measureSphericalDistortion(sphere.mesh(), result.image).summary;
+  EXPECT_EQ(summary.flippedFaces, 0);
+  EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
+  EXPECT_LT(summary.faceMeanAbsLog, 8e-3);
+  EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Disk, AuthalicOnScansSlow,

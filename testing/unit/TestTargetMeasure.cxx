@@ -68,6 +68,19 @@ TEST(TargetMeasure, ClampsFacesWithoutAreaAndCountsThem) {
   EXPECT_NEAR(target.faces().sum(), 1, 1e-14);
 }
 
+TEST(TargetMeasure, KeepsStarsExactBesideFacesWithoutArea) {
+  Points3 points(4, 3);
+  points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0;
+  Faces faces(2, 3);
+  faces << 0, 1, 2, 0, 2, 3;
+  const TargetMeasure target{TriangleMesh(points, faces)};
+  EXPECT_EQ(target.shares()[0], 0);
+  EXPECT_EQ(target.shares()[1], 1);
+  for (const int v : {0, 2, 3}) EXPECT_NEAR(target.vertices()[v], 1.0 / 3, 1e-5);
+  EXPECT_GT(target.vertices()[1], 0);  // nothing can be mapped to a point
+  EXPECT_NEAR(target.vertices().sum(), 1, 1e-14);
+}
+
 TEST(TargetMeasure, RefusesZeroNegativeNaNAndWrongLengthsInWords) {
   const TriangleMesh mesh = gridMesh(2, 2);
   Eigen::VectorXd density = Eigen::VectorXd::Ones(9);

@@ -20,6 +20,8 @@
 #include "Conversion.h"
 #include "Core/authalic/CircleDomainAuthalicMap.h"
 #include "Core/authalic/CircleDomainLieFlow.h"
+#include "Core/authalic/PeriodicRectangleAuthalicMap.h"
+#include "Core/authalic/PeriodicRectangleLieFlow.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "support/HoledMeshes.h"
@@ -247,7 +249,7 @@ TEST(CircleDomainAuthalicMapFilter, GivesTheImageOfCoreWithEveryOption) {
   filter->AddHoleArea(1);
   EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "each of the 2 holes");
   const auto concentric = on<vtkCircleDomainAuthalicMap>(threeLoops());
-  concentric->ConcentricOn();
+  concentric->SetDomainToAnnulus();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
 }
 
@@ -272,6 +274,42 @@ TEST(CircleDomainLieFlowFilter, GivesTheImageOfCoreWithItsOptions) {
   for (int k = 0; k < 3; ++k)
     EXPECT_EQ(field(filter->GetOutput(), "Circles", k, 2), core.circles[std::size_t(k)].radius);
   const auto concentric = on<vtkCircleDomainLieFlow>(threeLoops());
-  concentric->ConcentricOn();
+  concentric->SetDomainToAnnulus();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
+}
+
+TEST(PeriodicRectangleFilters, GiveTheOpenedImagesOfCoreAndRefuseWhatHasNoRectangle) {
+  const AnnulusMesh annulus(frustum());
+  const auto solve = on<vtkCircleDomainAuthalicMap>(annulus.mesh());
+  solve->SetDomainToPeriodicRectangle();
+  solve->SetOuterVertex(annulus.loops()[1][3]);
+  solve->SetTolerance(0.05);
+  solve->Update();
+  PeriodicRectangleAuthalicMapOptions options;
+  options.outerLoop = 1;
+  options.solve.tolerance = 0.05;
+  const auto core = periodicRectangleAuthalicMap(annulus, TargetMeasure(annulus.mesh()), options);
+  EXPECT_EQ(solve->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(solve->GetOutput()), core.image);
+  EXPECT_EQ(field(solve->GetOutput(), "OuterLoop"), 1);
+  EXPECT_NEAR(field(solve->GetOutput(), "Height") / field(solve->GetOutput(), "Circumference"), core.height, 1e-12);
+  EXPECT_EQ(field(solve->GetOutput(), "Cut", 1), core.cut[1]);
+  vtkDataArray* ids = solve->GetOutput()->GetPointData()->GetArray("OriginalPointIds");
+  ASSERT_NE(ids, nullptr);
+  for (std::size_t v = 0; v < core.originalPointIds.size(); ++v) {
+    EXPECT_EQ(ids->GetComponent(vtkIdType(v), 0), core.originalPointIds[v]);
+  }
+  const auto flow = on<vtkCircleDomainLieFlow>(annulus.mesh());
+  flow->SetDomainToPeriodicRectangle();
+  flow->SetMaximumIterations(8);
+  flow->Update();
+  PeriodicRectangleLieFlowOptions flowing;
+  flowing.flow.maxIterations = 8;
+  EXPECT_EQ(toPlanarPoints(flow->GetOutput()),
+            periodicRectangleLieFlow(annulus, TargetMeasure(annulus.mesh()), flowing).image);
+  flow->AddHoleArea(1);
+  EXPECT_SAYS(refusal(flow, vtkSurfaceAlgorithm::ARGUMENT), "has none");
+  const auto three = on<vtkCircleDomainAuthalicMap>(threeLoops());
+  three->SetDomainToPeriodicRectangle();
+  EXPECT_SAYS(refusal(three, vtkSurfaceAlgorithm::SURFACE), "3 boundary loops");
 }

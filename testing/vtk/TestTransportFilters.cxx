@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <vtkBalanceCurve.h>
 #include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -12,6 +13,9 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalTransportMap.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 
 #include "Conversion.h"
 #include "Core/authalic/TargetMeasure.h"
@@ -162,5 +166,87 @@ TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
   filter->SetInputData(0, polyData(bumpyDisk(4)));
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::SURFACE);
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST_F(TransportFilters, BalanceAnglesAgainstAreas) {
+  const auto check = [](auto map, const TriangleMesh& mesh) {
+    double area = 1e300, angle = 0;
+    map->SetFinishToAuthalic();
+    for (const double balance : {0.0, 0.5, 1.0}) {
+      map->SetInputData(0, polyData(mesh));
+      map->SetBalance(balance);
+      map->Update();
+      EXPECT_EQ(map->GetStatus(), "converged") << balance;
+      EXPECT_EQ(map->GetFlippedFaces(), 0) << balance;
+      EXPECT_LT(map->GetTotalAreaDistortion(), area) << balance;
+      EXPECT_GT(map->GetTotalAngleDistortion(), angle) << balance;
+      if (balance < 1) {
+        EXPECT_EQ(field(map->GetOutput(), "Balance"), balance);
+      }
+      area = map->GetTotalAreaDistortion();
+      angle = map->GetTotalAngleDistortion();
+    }
+  };
+  const auto disk = vtkSmartPointer<vtkOptimalTransportMap>::New();
+  disk->SetInitialMethodToRiemann();
+  check(disk, bumpyDisk(20));
+  const TriangleMesh round = sphereMesh(4);
+  check(vtkSmartPointer<vtkSphericalTransportMap>::New(),
+        TriangleMesh(round.points() * Eigen::Vector3d(1, 1.5, 2.2).asDiagonal(), round.faces()));
+}
+
+TEST_F(TransportFilters, BalanceFromPlaceToPlaceAsOneNumberEverywhereDoes) {
+  const auto check = [](auto one, auto other, const TriangleMesh& mesh) {
+    const auto surface = polyData(mesh);
+    vtkNew<vtkDoubleArray> weights;
+    weights->SetName("T");
+    for (int i = 0; i < mesh.vertexCount(); ++i) weights->InsertNextValue(0.25);
+    surface->GetPointData()->AddArray(weights);
+    for (auto filter : {one, other}) filter->SetInputData(0, surface);
+    one->SetBalance(0.25);
+    other->SetBalanceArrayName("T");
+    one->Update();
+    other->Update();
+    EXPECT_EQ(toPoints(one->GetOutput()), toPoints(other->GetOutput()));
+    weights->SetValue(3, 1.5);
+    weights->Modified();
+    surface->Modified();
+    vtkObject::GlobalWarningDisplayOff();
+    other->Update();
+    vtkObject::GlobalWarningDisplayOn();
+    EXPECT_EQ(other->GetErrorKind(), vtkOptimalTransportMap::ARGUMENT);
+    EXPECT_EQ(other->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  check(vtkSmartPointer<vtkOptimalTransportMap>::New(), vtkSmartPointer<vtkOptimalTransportMap>::New(), bumpyDisk(8));
+  check(vtkSmartPointer<vtkSphericalTransportMap>::New(), vtkSmartPointer<vtkSphericalTransportMap>::New(),
+        wavySphere(3));
+}
+
+TEST_F(TransportFilters, GiveTheCurveOfBalancesAsATable) {
+  vtkNew<vtkBalanceCurve> curve;
+  curve->SetInputData(polyData(bumpyDisk(10)));
+  curve->SetNumberOfBalances(3);
+  curve->Update();
+  vtkTable* table = curve->GetOutput();
+  ASSERT_EQ(table->GetNumberOfRows(), 3);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(table->GetValueByName(k, "balance").ToDouble(), 0.5 * k);
+    EXPECT_EQ(table->GetValueByName(k, "flipped_faces").ToInt(), 0);
+    EXPECT_EQ(table->GetValueByName(k, "status").ToString(), "converged");
+  }
+  EXPECT_LT(table->GetValueByName(2, "area_distortion").ToDouble(), 2.001);
+  EXPECT_NE(curve->GetText().find("angle_error_mean_degrees"), std::string::npos);
+  EXPECT_NE(curve->GetReport().find("cell_tolerance"), std::string::npos);
+  curve->AddBalance(0.3);
+  curve->Update();
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  EXPECT_EQ(table->GetValueByName(0, "balance").ToDouble(), 0.3);
+  vtkObject::GlobalWarningDisplayOff();
+  curve->AddBalance(1.5);
+  curve->Update();
+  EXPECT_EQ(curve->GetErrorKind(), 2);
+  EXPECT_EQ(table->GetNumberOfRows(), 0);
+  EXPECT_TRUE(curve->GetText().empty() && curve->GetReport().empty());
   vtkObject::GlobalWarningDisplayOn();
 }

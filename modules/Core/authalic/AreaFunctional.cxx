@@ -24,6 +24,11 @@ Coordinates AreaFunctional::displacement(const Frames& frames, const Eigen::Vect
   return result;
 }
 
+const Points2& AreaFunctional::shifts() const {
+  static const Points2 none;
+  return none;
+}
+
 AreaFunctional::Corners AreaFunctional::corners(const Coordinates& image, int face) const {
   Corners result(3, image.cols());
   for (int k = 0; k < 3; ++k) result.row(k) = image.row(faces_(face, k));

@@ -39,6 +39,8 @@ class AreaFunctional {
     return j < freedom(vertex) ? first_[static_cast<std::size_t>(vertex)] + j : -1;
   }
 
+  /// 3m×2: corner 3 f + k of a periodic image lies at x_v + shift; no rows for other images.
+  [[nodiscard]] virtual const Points2& shifts() const;
   /// Signed areas of all faces: m values, > 0 where a face is not folded. O(m)
   [[nodiscard]] virtual Eigen::VectorXd areas(const Coordinates& image) const = 0;
   [[nodiscard]] virtual Frames frames(const Coordinates& image) const = 0;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "Core/authalic/FaceMatch.h"
 #include "Core/authalic/VertexMatch.h"
 
 namespace authalic {
@@ -13,14 +12,18 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
-constexpr double kEnough = 0.4;         // of the tolerance: vertex steps disturb the faces
-constexpr double kNearlyEnough = 0.8;   // of the tolerance: vertex steps are tried when face steps get slow
-constexpr double kMeanLog = 0.5;        // of the tolerance: wanted of the mean |ln r| of the faces after vertex steps,
-constexpr double kEnoughMeanLog = 0.32;   // and before them,
-constexpr double kNearlyMeanLog = 0.36;   // also when face steps get slow
 constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
+
+// Where face steps end, in tolerances; vertex steps disturb the faces.
+struct Nearness {
+  double residual, meanLog;              // mean |ln r| of the faces, which sees small ones
+  double slowResidual, slowMeanLog;      // suffice where face steps get slow
+  double meanLogAfterVertices;           // is wanted
+};
+
+constexpr Nearness kNear{0.4, 0.32, 0.8, 0.36, 0.5}, kNearEnough{0.7, 0.7, 0.9, 0.75, 0.8};
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -28,11 +31,9 @@ class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
              const AuthalicMapOptions& options, const Execution& execution, Shapes shapes)
-      : options_(options), execution_(execution),
-        faces_(areas, target.faces(), cotangentWeights(surface), options.solver),
-        vertices_(areas, target.vertices(), options.solver) {
-    if (shapes == Shapes::Free) faces_.forgetShapes();
-  }
+      : options_(options), execution_(execution), near_(shapes == Shapes::First ? kNearEnough : kNear),
+        faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes),
+        vertices_(areas, target.vertices(), options.solver) {}
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
@@ -66,8 +67,8 @@ class AreaSolver {
     execution_.report(double(result_.history.size()) / (result_.history.size() + 10.0), stage);
   }
 
-  // Until the residual and the mean over faces, which sees small ones, are well below the goal, or below it and
-  // progress slows, or nothing moves. Returns whether any step was taken.
+  // Until the residual and the mean over faces are near the goal, or nearly so and progress slows, or nothing
+  // moves. Returns whether any step was taken.
   bool faceSteps(double goal, Coordinates& image) {
     const double begun = now();
     bool moved = false;
@@ -79,12 +80,12 @@ class AreaSolver {
         return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
       };
       const double meanLog = faces_.meanAbsLog(image);
-      if (residuals.back() <= kEnough * goal && meanLog <= kEnoughMeanLog * goal) break;
+      if (residuals.back() <= near_.residual * goal && meanLog <= near_.meanLog * goal) break;
       if (slower(kSlowSteps / 2, kGettingSlow)) {
-        if (residuals.back() <= kNearlyEnough * goal && meanLog <= kNearlyMeanLog * goal) break;
+        if (residuals.back() <= near_.slowResidual * goal && meanLog <= near_.slowMeanLog * goal) break;
         faces_.relax();
       }
-      if (slower(kSlowSteps, residuals.back() <= kNearlyEnough * goal ? kGettingSlow : kSlow)) break;
+      if (slower(kSlowSteps, residuals.back() <= near_.slowResidual * goal ? kGettingSlow : kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");
@@ -96,7 +97,7 @@ class AreaSolver {
   // The part of the goal at which the next vertex steps would end within the tolerances.
   [[nodiscard]] double nearness(const Coordinates& exact) const {
     const double tolerance = options_.tolerance, faces = tolerance / faces_.residual(exact),
-                 means = kMeanLog * tolerance / faces_.meanAbsLog(exact);
+                 means = near_.meanLogAfterVertices * tolerance / faces_.meanAbsLog(exact);
     return std::clamp(0.8 * std::min(faces, means), 0.4, faces < 1 ? 0.5 : 0.8);
   }
 
@@ -122,12 +123,14 @@ class AreaSolver {
     result_.image = exact;
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
-    if (converged_ || faces_.meanAbsLog(exact) <= kMeanLog * options_.tolerance) result_.status = Status::Converged;
+    if (converged_ || faces_.meanAbsLog(exact) <= near_.meanLogAfterVertices * options_.tolerance)
+      result_.status = Status::Converged;
     converged_ = true;
   }
 
   const AuthalicMapOptions& options_;
   const Execution& execution_;
+  const Nearness& near_;
   FaceMatch faces_;
   VertexMatch vertices_;
   AreaSolveResult result_;

@@ -4,13 +4,9 @@
 
 #include "Core/authalic/AreaFunctional.h"
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FaceMatch.h"
 
 namespace authalic {
-
-enum class Shapes {
-  Kept,  ///< good angles while areas are matched
-  Free   ///< areas alone: nearer to the targets on coarse meshes, with more shear
-};
 
 struct AreaSolveResult : AuthalicSolution {
   Coordinates image;
@@ -18,7 +14,8 @@ struct AreaSolveResult : AuthalicSolution {
 
 /// @param surface  whose faces are mapped, in the order of those of `areas`
 /// @param start    no face folded; stays so
-/// @param shapes   whether face steps look at shapes, see FaceMatch
+/// @param shapes   what face steps look at, see FaceMatch; with First the mean |ln r| of the faces is below 0.8
+///                 tolerances, else below half of one, as far as the mesh allows it
 /// Status: Converged when both residuals are within their tolerances; Stalled when no step was possible any more;
 /// NotConverged at the limit of iterations or rounds; Cancelled. The image is the one with the smallest vertex residual
 /// within its tolerance, else the last.

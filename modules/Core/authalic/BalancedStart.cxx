@@ -109,10 +109,8 @@ Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMe
 }
 
 Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image, const Points2& shifts,
-                              const TargetMeasure& target, SolverBackend backend, double goodEnough,
-                              const Execution& execution) {
-  std::vector<char> held(static_cast<std::size_t>(topology.vertexCount()), 0);
-  held[0] = 1;
+                              const std::vector<char>& held, const TargetMeasure& target, SolverBackend backend,
+                              double goodEnough, const Execution& execution) {
   return balancedStart(topology, planar(topology.faces(), held, shifts, backend), image, target, goodEnough, execution);
 }
 

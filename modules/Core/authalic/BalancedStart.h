@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/base/Execution.h"
@@ -34,11 +35,13 @@ namespace authalic {
                                     SolverBackend backend, double goodEnough,
                                     const Execution& execution = {});
 
-/// The same on the flat torus: the whole image is free but for vertex 0.
+/// The same on the flat torus or the flat cylinder.
 /// @param shifts  3m×2, see BarycentricSolver: corner 3 f + k lies at x_v + shift
+/// @param held    n flags: vertices that stay
 [[nodiscard]] Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& image,
-                                            const Points2& shifts, const TargetMeasure& target, SolverBackend backend,
-                                            double goodEnough, const Execution& execution = {});
+                                            const Points2& shifts, const std::vector<char>& held,
+                                            const TargetMeasure& target, SolverBackend backend, double goodEnough,
+                                            const Execution& execution = {});
 
 /// A barycentric map on any domain, and the areas of its faces.
 struct BarycentricImage {

@@ -28,15 +28,10 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
   AreaSolveResult solved =
       solveAreas(areas, surface.mesh(), target, start.image, options.solve, execution.part(0.3, 1));
-  result.image = solved.image;
+  static_cast<CircleDomainImage&>(result) = imageOf(start, solved.image);
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
-  result.outerLoop = start.outerLoop;
-  result.pockets = start.pockets;
-  result.holeAreas = start.holeAreas;
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());
-  result.holeResidual = holeResidual(start.loops, result.image);
-  result.circles = circlesOf(start, result.image);
   execution.report(1, "Authalic map");
   return result;
 }

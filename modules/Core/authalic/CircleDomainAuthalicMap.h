@@ -2,11 +2,8 @@
 /// The exact authalic solve for surfaces with holes.
 #pragma once
 
-#include <vector>
-
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/CircleDomainHoles.h"
-#include "Core/numerics/CircleFit.h"
 
 namespace authalic {
 
@@ -17,14 +14,7 @@ struct CircleDomainAuthalicMapOptions : CircleDomainHoles {
   void validate(const PolyAnnulusMesh& surface) const;
 };
 
-struct CircleDomainAuthalicMapResult : AuthalicSolution {
-  Points2 image;                      ///< n×2; vertices in the order of the input
-  std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops()
-  int outerLoop = 0;
-  std::vector<double> holeAreas;      ///< prescribed, in the order of the options
-  double holeResidual = 0;            ///< max |ln r| of the holes, r = share of the image / prescribed share
-  int pockets = 0;                    ///< ears of the surface that lie in holes, see FoldedPockets
-};
+struct CircleDomainAuthalicMapResult : AuthalicSolution, CircleDomainImage {};
 
 /// Maps a surface of genus 0 with k ≥ 1 loops to the unit disk without k − 1 round holes of prescribed areas so that
 /// every vertex star has its target area, as authalicMap().

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Core/mesh/PolyAnnulusMesh.h"
+#include "Core/numerics/CircleFit.h"
 
 namespace authalic {
 
@@ -18,6 +19,16 @@ struct CircleDomainHoles {
   /// @throws InvalidArgument naming the field that is outside its range, TopologyError when a concentric map is
   ///         asked of a surface that has not 2 loops
   void validate(const PolyAnnulusMesh& surface) const;
+};
+
+/// A surface with holes on the unit disk without round holes.
+struct CircleDomainImage {
+  Points2 image;                      ///< n×2; vertices in the order of the input
+  std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops()
+  int outerLoop = 0;
+  std::vector<double> holeAreas;      ///< mm², in the order of the options
+  double holeResidual = 0;            ///< max |ln r| of the holes, r = share of the image / share that they should have
+  int pockets = 0;                    ///< ears of the surface that lie in holes, see FoldedPockets
 };
 
 }  // namespace authalic

@@ -14,7 +14,7 @@ class CircleFlowDomain final : public LieFlowDomain {
   CircleFlowDomain(const PolyAnnulusMesh& surface, const std::vector<LoopOnCircle>& loops, const TargetMeasure& target)
       : LieFlowDomain(surface.mesh().faces(), target), surface_(surface), loops_(loops) {}
 
-  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces) const override {
+  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces, const Points2&) const override {
     return std::make_unique<CircleDomainAreas>(faces, loops_, surface_.mesh().vertexCount());
   }
 
@@ -47,12 +47,7 @@ CircleDomainLieFlowResult circleDomainLieFlow(const PolyAnnulusMesh& surface, co
   result.startSeconds = watch.lap();
   Coordinates image = start.image;
   runLieFlow(CircleFlowDomain(surface, start.loops, target), options.flow, execution.part(0.3, 1), image, result);
-  result.image = image;
-  result.outerLoop = start.outerLoop;
-  result.pockets = start.pockets;
-  result.holeAreas = start.holeAreas;
-  result.holeResidual = holeResidual(start.loops, result.image);
-  result.circles = circlesOf(start, result.image);
+  static_cast<CircleDomainImage&>(result) = imageOf(start, image);
   execution.report(1, "Discrete Lie flow");
   return result;
 }

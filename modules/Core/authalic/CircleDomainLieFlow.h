@@ -2,11 +2,8 @@
 /// The discrete Lie flow for surfaces with holes.
 #pragma once
 
-#include <vector>
-
 #include "Core/authalic/CircleDomainHoles.h"
 #include "Core/authalic/DiscreteLieFlow.h"
-#include "Core/numerics/CircleFit.h"
 
 namespace authalic {
 
@@ -17,14 +14,7 @@ struct CircleDomainLieFlowOptions : CircleDomainHoles {
   void validate(const PolyAnnulusMesh& surface) const;
 };
 
-struct CircleDomainLieFlowResult : LieFlowSolution {
-  Points2 image;                      ///< n×2; vertices in the order of the input
-  std::vector<FittedCircle> circles;  ///< of every loop, in the order of loops()
-  int outerLoop = 0;
-  std::vector<double> holeAreas;      ///< prescribed, in the order of the options
-  double holeResidual = 0;            ///< max |ln r| of the holes, r = share of the image / prescribed share
-  int pockets = 0;                    ///< ears of the surface that lie in holes, see FoldedPockets
-};
+struct CircleDomainLieFlowResult : LieFlowSolution, CircleDomainImage {};
 
 /// Flows a surface of genus 0 with k ≥ 1 loops onto the unit disk without k − 1 round holes of prescribed areas until
 /// every vertex star has its target area.

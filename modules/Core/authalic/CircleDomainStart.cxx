@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
+#include "Core/authalic/LevelShares.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -19,6 +19,7 @@ namespace authalic {
 namespace {
 
 constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
+constexpr double kSmallestRadius = 1e-12;  // of a hole anywhere in the disk: coordinates have 16 digits
 constexpr double kTight = 0.95;     // of the room around a hole
 
 double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
@@ -61,7 +62,7 @@ ConformalStart conformalStart(const PolyAnnulusMesh& surface, const CircleDomain
 
 // Outer loop first; holes in the order of the surface's loops.
 std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const ConformalStart& conformal,
-                                  const std::vector<double>& holeAreas) {
+                                  const std::vector<double>& holeAreas, bool concentric) {
   double whole = faceAreas(surface.mesh()).sum();
   for (const double area : holeAreas) whole += area;
   std::vector<LoopOnCircle> loops(1);
@@ -76,6 +77,12 @@ std::vector<LoopOnCircle> loopsOf(const PolyAnnulusMesh& surface, const Conforma
     for (const int v : surface.loops()[k]) {
       const double off = (conformal.image.row(v) - circle.centre).norm() / circle.radius - 1;
       if (std::abs(off) < kOnCircle) loop.vertices.push_back(v);
+    }
+    if (loop.vertices.size() < 3 || (!concentric && !(circle.radius > kSmallestRadius))) {
+      throw GeometryError("Boundary loops that are circles in the conformal map are required, but loop " +
+                          std::to_string(k) + " of " + std::to_string(surface.loops()[k].size()) +
+                          " vertices is shrunk so far that they do not lie on a circle any more; for a long tube take "
+                          "the domain periodic-rectangle.");
     }
     if (outer) loops.front() = std::move(loop);
     else loops.push_back(std::move(loop));
@@ -120,47 +127,16 @@ void stretchHoles(const CircleDomainAreas& areas, const std::vector<LoopOnCircle
   }
 }
 
-// Share of the target within some radii about the middle, as knots of a piecewise linear function of ln r.
-struct RadialShares {
-  std::vector<double> logRadii, shares;
-
-  RadialShares(const Eigen::VectorXd& radii, const Eigen::VectorXd& target) {
-    std::vector<int> order(static_cast<std::size_t>(radii.size()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return radii[a] < radii[b]; });
-    const auto stride = static_cast<std::size_t>(std::sqrt(static_cast<double>(order.size())));
-    double inside = 0;
-    for (std::size_t i = 0, next = 0; i < order.size();) {
-      std::size_t end = i;
-      double same = 0;  // vertices of one circle are inside it by half
-      for (; end < order.size() && radii[order[end]] <= radii[order[i]] * (1 + 1e-9); ++end) same += target[order[end]];
-      const bool first = i == 0, last = end == order.size();
-      if (first || last || i >= next) {
-        logRadii.push_back(std::log(radii[order[i]]));
-        shares.push_back(first ? 0 : last ? 1 : inside + 0.5 * same);
-        next = i + stride;
-      }
-      inside += same;
-      i = end;
-    }
-  }
-
-  [[nodiscard]] double at(double radius) const {
-    const double x = std::log(radius);
-    const auto above = std::upper_bound(logRadii.begin() + 1, logRadii.end() - 1, x) - logRadii.begin();
-    const auto k = static_cast<std::size_t>(above);
-    const double t = (x - logRadii[k - 1]) / (logRadii[k] - logRadii[k - 1]);
-    return shares[k - 1] + std::min(std::max(t, 0.0), 1.0) * (shares[k] - shares[k - 1]);
-  }
-};
-
 // Every circle around the middle to the radius at which it has its share of the target inside.
+// What lies in the hole goes with its circle.
 void spreadRings(const TargetMeasure& target, const std::vector<LoopOnCircle>& loops, double inner, Points2& image) {
+  const double before = image.row(loops[1].vertices.front()).norm();
   const Eigen::VectorXd radii = image.rowwise().norm();
-  const RadialShares within(radii, target.vertices());
+  const LevelShares within(radii.array().max(before).log(), target.vertices());
   const double hole = inner * inner;
   for (Eigen::Index v = 0; v < image.rows(); ++v) {
-    image.row(v) *= std::sqrt(hole + (1 - hole) * within.at(radii[v])) / radii[v];
+    const double onto = std::sqrt(hole + (1 - hole) * within.at(std::log(radii[v])));
+    image.row(v) *= radii[v] < before ? inner / before : onto / radii[v];
   }
   for (const LoopOnCircle& loop : loops) {
     const double onto = &loop == &loops.front() ? 1 : inner;
@@ -196,28 +172,28 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
       start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
     }
   }
-  start.loops = loopsOf(surface, conformal, start.holeAreas);
+  start.loops = loopsOf(surface, conformal, start.holeAreas, holes.concentric);
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
   start.image = stretched(surface, target, areas, start.loops, holes.concentric, conformal.image,
                           execution.part(0.7, 1));
   return start;
 }
 
-double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image) {
+CircleDomainImage imageOf(const CircleDomainStart& start, const Points2& image) {
+  CircleDomainImage result;
+  result.image = image;
+  result.outerLoop = start.outerLoop;
+  result.holeAreas = start.holeAreas;
+  result.pockets = start.pockets;
+  const std::vector<LoopOnCircle>& loops = start.loops;
   const double whole = polygonArea(image, loops.front().vertices);
-  double worst = 0;
   for (std::size_t k = 1; k < loops.size(); ++k) {
-    worst = std::max(worst, std::abs(std::log(-polygonArea(image, loops[k].vertices) / (whole * loops[k].share))));
+    const double ratio = -polygonArea(image, loops[k].vertices) / (whole * loops[k].share);
+    result.holeResidual = std::max(result.holeResidual, std::abs(std::log(ratio)));
+    result.circles.push_back(fitCircle(image, loops[k].vertices));
   }
-  return worst;
-}
-
-std::vector<FittedCircle> circlesOf(const CircleDomainStart& start, const Points2& image) {
-  std::vector<LoopOnCircle> inOrder(start.loops.begin() + 1, start.loops.end());
-  inOrder.insert(inOrder.begin() + start.outerLoop, start.loops.front());
-  std::vector<FittedCircle> circles;
-  for (const LoopOnCircle& loop : inOrder) circles.push_back(fitCircle(image, loop.vertices));
-  return circles;
+  result.circles.insert(result.circles.begin() + start.outerLoop, fitCircle(image, loops.front().vertices));
+  return result;
 }
 
 }  // namespace authalic

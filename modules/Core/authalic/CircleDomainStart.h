@@ -8,7 +8,6 @@
 #include "Core/authalic/CircleDomainHoles.h"
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/base/Execution.h"
-#include "Core/numerics/CircleFit.h"
 
 namespace authalic {
 
@@ -24,10 +23,7 @@ struct CircleDomainStart {
 [[nodiscard]] CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                                                   const CircleDomainHoles& holes, const Execution& execution);
 
-/// max |ln r| of the holes, r = share of the image / prescribed share.
-[[nodiscard]] double holeResidual(const std::vector<LoopOnCircle>& loops, const Points2& image);
-
-/// The circles of an image, in the order of the surface's loops.
-[[nodiscard]] std::vector<FittedCircle> circlesOf(const CircleDomainStart& start, const Points2& image);
+/// An image with its circles and what its holes measure.
+[[nodiscard]] CircleDomainImage imageOf(const CircleDomainStart& start, const Points2& image);
 
 }  // namespace authalic

@@ -19,7 +19,7 @@ DiskFlowDomain::DiskFlowDomain(const DiskMesh& disk, const PlanarDomain& domain,
   if (!placement.pockets.empty()) freeze(placement.inPocket);
 }
 
-std::unique_ptr<AreaFunctional> DiskFlowDomain::areasOn(const Faces& faces) const {
+std::unique_ptr<AreaFunctional> DiskFlowDomain::areasOn(const Faces& faces, const Points2&) const {
   return std::make_unique<PlanarAreas>(faces, sliding_, disk_.mesh().vertexCount());
 }
 

@@ -15,7 +15,7 @@ class DiskFlowDomain final : public LieFlowDomain {
   DiskFlowDomain(const DiskMesh& disk, const PlanarDomain& domain, const BoundaryPlacement& placement,
                  const Points2& image, const TargetMeasure& target, SolverBackend backend);
 
-  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces, const Points2&) const override;
   [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach reach) const override;
   [[nodiscard]] Coordinates revived(const Coordinates& image) const override;
   void carryFrozen(Coordinates& image) const override;

@@ -14,7 +14,6 @@ constexpr double kMarginToFlip = 0.9;
 constexpr double kShorter = 0.7;          // than the step before, where that did not lower the objective
 constexpr int kAttempts = 24;             // at a step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
-constexpr double kPullFalls = 0.35;       // per step
 constexpr double kEndPull = 1e-3;         // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
@@ -37,18 +36,21 @@ double flipFree(const AreaFunctional& areas, const Coordinates& image, const Coo
 
 }  // namespace
 
-FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
-                     SolverBackend backend)
-    : areas_(areas), targets_(targets), importance_(faceImportance(targets)), shape_(areas, cotangents, importance_),
-      assembly_(areas.unknownCount(), elementUnknowns(areas)), solver_(backend, PatternUse::Reused),
+FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets,
+                     const HalfEdgeWeights& cotangents, SolverBackend backend, Shapes shapes)
+    : areas_(areas),
+      targets_(targets),
+      importance_(shapes == Shapes::Free ? Eigen::VectorXd::Ones(targets.size()) : faceImportance(targets)),
+      shape_(areas, cotangents, importance_),
+      assembly_(areas.unknownCount(), elementUnknowns(areas)),
+      solver_(backend, PatternUse::Reused),
       values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
   solver_.analyze(assembly_.matrix());
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
-}
-
-void FaceMatch::forgetShapes() noexcept {
-  importance_.setOnes();
-  pull_ = usualPull_ = 0;
+  const bool first = shapes == Shapes::First, free = shapes == Shapes::Free;
+  pull_ = free ? 0 : first ? 0.1 : 0.01;
+  pullFalls_ = first ? 0.5 : 0.35;
+  usualPull_ = free ? 0 : first ? 5 : 1;
 }
 
 void FaceMatch::restart(double goal) noexcept {
@@ -167,7 +169,7 @@ double FaceMatch::advance(Coordinates& image) {
     if (!(objective(next) < before)) continue;
     image = std::move(next);
     adapt(part);
-    pull_ = std::max(leastPull_, kPullFalls * pull_);
+    pull_ = std::max(leastPull_, pullFalls_ * pull_);
     return part;
   }
   adapt(0);

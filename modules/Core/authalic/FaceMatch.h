@@ -9,6 +9,13 @@
 
 namespace authalic {
 
+/// What face steps look at besides areas.
+enum class Shapes {
+  Kept,   ///< good angles while areas are matched, small faces included
+  First,  ///< better angles, with areas just within the tolerance
+  Free    ///< areas alone: nearer to the targets on coarse meshes, with more shear
+};
+
 /// Brings F = Σ_t m_t (r_t + 1/r_t − 2) = D_area − 2 down, r = q / m, q = a / Σ a the image shares and m the targets,
 /// and of the images that are near their targets takes one with good shapes: it minimises
 ///
@@ -28,7 +35,7 @@ class FaceMatch {
   /// @param targets     m shares > 0, sum 1
   /// @param cotangents  of the surface
   FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
-            SolverBackend backend);
+            SolverBackend backend, Shapes shapes);
 
   /// One step; `image` has no folded face and keeps none.
   /// @return the part of δ taken, in (0, 1]; 0 when none lowered Φ
@@ -42,8 +49,6 @@ class FaceMatch {
 
   /// Five steps in a row were 0.
   [[nodiscard]] bool stalled() const noexcept { return failures_ > 4; }
-  /// ω = 1 and τ = 0 from here on.
-  void forgetShapes() noexcept;
   /// @param goal  residual to come: τ stops falling where it would matter no more
   void restart(double goal) noexcept;
   /// Allows smaller ε and τ than so far: slides along curves of equal area, which buy the last errors with shear.
@@ -51,7 +56,6 @@ class FaceMatch {
 
  private:
   static constexpr double kFirstDamping = 0.02, kUsualDamping = 1e-4, kLeastDamping = 1e-8;
-  static constexpr double kFirstPull = 1e-2;
   [[nodiscard]] Eigen::ArrayXd faceErrors(const Eigen::VectorXd& areas) const;
   [[nodiscard]] double objective(const Coordinates& image) const;
   void linearise(const Coordinates& image);
@@ -72,8 +76,9 @@ class FaceMatch {
   AreaFunctional::Gradients gradients_;
   Eigen::VectorXd weights_, right_, stiffness_;
   double damping_ = kFirstDamping, leastDamping_ = kUsualDamping;
-  double pull_ = kFirstPull, leastPull_ = 0, endPull_ = 0;
-  double usualPull_ = 1;  // leastPull_ by the square of the goal
+  double pull_, leastPull_ = 0, endPull_ = 0;  // τ
+  double pullFalls_;                           // factor per step
+  double usualPull_;                           // leastPull_ by the square of the goal
   int failures_ = 0;
 };
 

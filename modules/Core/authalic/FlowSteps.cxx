@@ -25,18 +25,20 @@ std::vector<char> pinnedVertices(const AreaFunctional& areas, const Coordinates&
   return pinned;
 }
 
-HalfEdgeWeights weightsOf(const Coordinates& image, const Faces& faces) {
-  return image.cols() == 2 ? cotangentWeights(Points2(image), faces) : cotangentWeights(Points3(image), faces);
+HalfEdgeWeights weightsOf(const AreaFunctional& areas, const Coordinates& image) {
+  if (image.cols() == 2) return cotangentWeights(Points2(image), areas.faces(), areas.shifts());
+  return cotangentWeights(Points3(image), areas.faces());
 }
 
-Coordinates gradientsOf(const Coordinates& image, const Faces& faces, const Eigen::VectorXd& h) {
-  if (image.cols() == 2) return vertexGradients(Points2(image), faces, h);
-  return vertexGradients(Points3(image), faces, h);
+Coordinates gradientsOf(const AreaFunctional& areas, const Coordinates& image, const Eigen::VectorXd& h) {
+  if (image.cols() == 2) return vertexGradients(Points2(image), areas.faces(), h, areas.shifts());
+  return vertexGradients(Points3(image), areas.faces(), h);
 }
 
 // h with L h = rightHandSide; h = 0 at the first vertex of face 0 and at those that no face uses.
-Eigen::VectorXd solvePoisson(const Coordinates& image, const Faces& faces, const Eigen::VectorXd& rightHandSide,
-                             SolverBackend backend) {
+Eigen::VectorXd solvePoisson(const AreaFunctional& areas, const Coordinates& image,
+                             const Eigen::VectorXd& rightHandSide, SolverBackend backend) {
+  const Faces& faces = areas.faces();
   std::vector<int> unknown(static_cast<std::size_t>(image.rows()), -1), vertices;
   std::vector<char> used(unknown.size(), 0);
   for (Eigen::Index k = 0; k < faces.size(); ++k) used[static_cast<std::size_t>(faces.data()[k])] = 1;
@@ -46,7 +48,7 @@ Eigen::VectorXd solvePoisson(const Coordinates& image, const Faces& faces, const
     unknown[v] = static_cast<int>(vertices.size());
     vertices.push_back(static_cast<int>(v));
   }
-  const HalfEdgeWeights weights = weightsOf(image, faces);
+  const HalfEdgeWeights weights = weightsOf(areas, image);
   ElementAssembly::Unknowns elements(faces.rows(), 3);
   std::vector<double> values(static_cast<std::size_t>(6 * faces.rows()));
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -65,6 +67,11 @@ Eigen::VectorXd solvePoisson(const Coordinates& image, const Faces& faces, const
 }
 
 }  // namespace
+
+const Points2& LieFlowDomain::shifts() const {
+  static const Points2 none;
+  return none;
+}
 
 void LieFlowDomain::freeze(std::vector<char> faces) {
   frozen_ = std::move(faces);
@@ -96,8 +103,8 @@ LieFlowIteration measureStars(const Eigen::VectorXd& areas, const Eigen::VectorX
 
 Coordinates poissonVelocity(const AreaFunctional& areas, const Coordinates& image,
                             const Eigen::VectorXd& rightHandSide, SolverBackend backend) {
-  const Eigen::VectorXd h = solvePoisson(image, areas.faces(), rightHandSide, backend);
-  Coordinates velocity = gradientsOf(image, areas.faces(), h);
+  const Eigen::VectorXd h = solvePoisson(areas, image, rightHandSide, backend);
+  Coordinates velocity = gradientsOf(areas, image, h);
   keepTangential(areas, image, velocity);
   return velocity;
 }

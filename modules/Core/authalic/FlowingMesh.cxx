@@ -8,12 +8,16 @@
 namespace authalic {
 namespace {
 
-Faces withoutFrozen(const Faces& faces, const std::vector<char>& frozen) {
-  if (frozen.empty()) return faces;
-  Faces kept(faces.rows(), 3);
+// Blocks of rows, one block for each face.
+template <class Rows>
+Rows withoutFrozen(const Rows& rows, Eigen::Index perFace, const std::vector<char>& frozen) {
+  if (frozen.empty() || rows.size() == 0) return rows;
+  Rows kept(rows.rows(), rows.cols());
   Eigen::Index count = 0;
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    if (!frozen[static_cast<std::size_t>(f)]) kept.row(count++) = faces.row(f);
+  for (Eigen::Index f = 0; perFace * f < rows.rows(); ++f) {
+    if (frozen[static_cast<std::size_t>(f)]) continue;
+    kept.middleRows(count, perFace) = rows.middleRows(perFace * f, perFace);
+    count += perFace;
   }
   return kept.topRows(count);
 }
@@ -21,10 +25,10 @@ Faces withoutFrozen(const Faces& faces, const std::vector<char>& frozen) {
 // Cross and dot product of the edge vectors a − c and b − c.
 struct Corner {
   double cross, dot;
-  Corner(const Coordinates& p, int a, int b, int c) {
-    const double ux = p(a, 0) - p(c, 0), uy = p(a, 1) - p(c, 1), vx = p(b, 0) - p(c, 0), vy = p(b, 1) - p(c, 1);
-    cross = ux * vy - uy * vx;
-    dot = ux * vx + uy * vy;
+  Corner(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b, const Eigen::RowVector2d& c) {
+    const Eigen::RowVector2d u = a - c, v = b - c;
+    cross = u[0] * v[1] - u[1] * v[0];
+    dot = u.dot(v);
   }
 };
 
@@ -39,11 +43,16 @@ bool shouldFlipOnSphere(const Coordinates& p, int a, int b, int c, int d) {
 
 }  // namespace
 
-FlowingMesh::FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen)
-    : faces_(withoutFrozen(faces, frozen)) {
+FlowingMesh::FlowingMesh(const Faces& faces, int vertexCount, const std::vector<char>& frozen, const Points2& shifts)
+    : faces_(withoutFrozen(faces, 1, frozen)), shifts_(withoutFrozen(shifts, 3, frozen)) {
   const SurfaceTopology topology(faces_, vertexCount);
   opposite_.resize(static_cast<std::size_t>(3 * faces_.rows()));
   for (std::size_t h = 0; h < opposite_.size(); ++h) opposite_[h] = topology.opposite(static_cast<int>(h));
+}
+
+// Of the corner that a half-edge leaves.
+Eigen::RowVector2d FlowingMesh::shift(int h) const {
+  return shifts_.size() == 0 ? Eigen::RowVector2d(0, 0) : Eigen::RowVector2d(shifts_.row(h));
 }
 
 bool FlowingMesh::shouldFlip(const Coordinates& points, int h) const {
@@ -52,10 +61,14 @@ bool FlowingMesh::shouldFlip(const Coordinates& points, int h) const {
   const int a = faces_(h / 3, h % 3), b = faces_(h / 3, (h + 1) % 3), c = faces_(h / 3, (h + 2) % 3),
             d = faces_(g / 3, (g + 2) % 3);
   if (points.cols() == 3) return shouldFlipOnSphere(points, a, b, c, d);
-  const Corner atC(points, a, b, c), atD(points, b, a, d);
+  const int f = h / 3;
+  const Eigen::RowVector2d across = shift(h) - shift(3 * (g / 3) + (g + 1) % 3),  // from the chart of the other face
+      pa = points.row(a) + shift(h), pb = points.row(b) + shift(3 * f + (h + 1) % 3),
+      pc = points.row(c) + shift(3 * f + (h + 2) % 3), pd = points.row(d) + shift(3 * (g / 3) + (g + 2) % 3) + across;
+  const Corner atC(pa, pb, pc), atD(pb, pa, pd);
   if (!(atC.cross > 0 && atD.cross > 0)) return false;
   if (atC.dot * atD.cross + atD.dot * atC.cross >= -1e-12 * atC.cross * atD.cross) return false;  // cot + cot ≥ 0
-  const double first = Corner(points, a, d, c).cross, second = Corner(points, d, b, c).cross;
+  const double first = Corner(pa, pd, pc).cross, second = Corner(pd, pb, pc).cross;
   return first > 0 && second > 0;
 }
 
@@ -71,6 +84,13 @@ void FlowingMesh::flip(int h) {
   const auto outside = [this](int face, int k) { return opposite_[static_cast<std::size_t>(3 * face + k % 3)]; };
   const int bc = outside(f, h % 3 + 1), ca = outside(f, h % 3 + 2), ad = outside(e, g % 3 + 1),
             db = outside(e, g % 3 + 2);
+  if (shifts_.size() > 0) {
+    const auto corner = [this](int face, int k) { return Eigen::RowVector2d(shifts_.row(3 * face + k % 3)); };
+    const Eigen::RowVector2d sa = corner(f, h), sb = corner(f, h % 3 + 1), sc = corner(f, h % 3 + 2),
+                             sd = corner(e, g % 3 + 2) + sa - corner(e, g % 3 + 1);
+    shifts_.middleRows<3>(3 * f) << sc, sa, sd;
+    shifts_.middleRows<3>(3 * e) << sd, sb, sc;
+  }
   faces_.row(f) << c, a, d;
   faces_.row(e) << d, b, c;
   join(3 * f, ca);

@@ -54,8 +54,8 @@ double advance(const AreaFunctional& areas, const Coordinates& displacement, Coo
 void advect(const LieFlowDomain& domain, const LieAdvectionOptions& options, const Execution& execution,
             Coordinates& image, LieAdvectionSolution& solution) {
   const int vertexCount = static_cast<int>(image.rows());
-  FlowingMesh mesh(domain.faces(), vertexCount, domain.frozen());
-  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(mesh.faces());
+  FlowingMesh mesh(domain.faces(), vertexCount, domain.frozen(), domain.shifts());
+  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(mesh.faces(), mesh.shifts());
   const Eigen::VectorXd& targets = domain.flowingTargets();
   for (int k = 1; k <= options.steps; ++k) {
     if (execution.cancelled()) {
@@ -85,7 +85,7 @@ void advect(const LieFlowDomain& domain, const LieAdvectionOptions& options, con
 void runLieAdvection(const LieFlowDomain& domain, const LieAdvectionOptions& options, const Execution& execution,
                      Coordinates& image, LieAdvectionSolution& solution) {
   Stopwatch watch;
-  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(domain.faces());
+  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(domain.faces(), domain.shifts());
   advect(domain, options, execution.part(0, 0.95), image, solution);
   solution.advectionSeconds = watch.lap();
   solution.flippedBeforeUnfolding = countFolded(*areas, image);

@@ -136,7 +136,7 @@ Move wholeStep(const LieFlowDomain& domain, const AreaSystem& system, const Coor
 
 void matchAreas(const LieFlowDomain& domain, const DiscreteLieFlowOptions& options, const Execution& execution,
                 Coordinates& image, LieFlowSolution& solution) {
-  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(domain.faces());
+  const std::unique_ptr<AreaFunctional> areas = domain.heldAreas();
   AreaSystem system(*areas, domain.target(), options.solver);
   double damping = 1;
   solution.status = Status::NotConverged;

@@ -40,7 +40,7 @@ void runLieFlow(const LieFlowDomain& domain, const DiscreteLieFlowOptions& optio
                 Coordinates& image, LieFlowSolution& solution) {
   Stopwatch watch;
   const Coordinates start = image;
-  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(domain.faces());
+  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(domain.faces(), domain.shifts());
   if (!solution.balancedStart) flowWithFlips(domain, options, execution.part(0, 0.4), image, solution);
   solution.flowSeconds = watch.lap();
   solution.flippedBeforeFinish = countFolded(*areas, image);

@@ -25,8 +25,13 @@ class LieFlowDomain {
   /// Target shares of the vertices of the faces that flow, summing to 1; 0 elsewhere.
   [[nodiscard]] const Eigen::VectorXd& flowingTargets() const noexcept { return flowingTargets_; }
 
-  /// Areas and freedoms on faces with the vertices of the surface; `faces` is kept by reference, and may flip edges.
-  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> areasOn(const Faces& faces) const = 0;
+  /// 3m×2: shifts of the corners of a periodic image, see periodicFaceAreas(); no rows for other images.
+  [[nodiscard]] virtual const Points2& shifts() const;
+  /// Areas and freedoms on a mesh with the vertices of the surface; kept by reference, and may flip edges.
+  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> areasOn(const Faces& faces, const Points2& shifts) const = 0;
+  /// The same on the faces of the surface, for systems that must have one solution: where the domain can be moved into
+  /// itself without deforming a face, a vertex is held.
+  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> heldAreas() const { return areasOn(faces_, shifts()); }
   /// The image with its folded faces unfolded, as far as that goes.
   [[nodiscard]] virtual Coordinates unfolded(const Coordinates& image, UnfoldReach reach) const = 0;
   /// The image with collapsed faces opened again.

@@ -50,8 +50,8 @@ Coordinates takeStep(const AreaFunctional& areas, const Coordinates& image, cons
 void flowWithFlips(const LieFlowDomain& domain, const DiscreteLieFlowOptions& options, const Execution& execution,
                    Coordinates& image, LieFlowSolution& solution) {
   const int vertexCount = static_cast<int>(image.rows());
-  FlowingMesh mesh(domain.faces(), vertexCount, domain.frozen());
-  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(mesh.faces());
+  FlowingMesh mesh(domain.faces(), vertexCount, domain.frozen(), domain.shifts());
+  const std::unique_ptr<AreaFunctional> areas = domain.areasOn(mesh.faces(), mesh.shifts());
   const Eigen::VectorXd& targets = domain.flowingTargets();
   const double goal = options.finish == LieFlowFinish::Match ? std::max(options.flowTolerance, options.tolerance)
                                                              : options.tolerance;

@@ -1,23 +1,19 @@
 #include "Core/authalic/PeriodicAreas.h"
 
+#include <utility>
+
 #include "Core/geometry/Areas.h"
 #include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
 namespace {
 
-std::vector<char> freeButFirst(int vertexCount) {
-  std::vector<char> freedom(static_cast<std::size_t>(vertexCount), 2);
-  freedom[0] = 0;
-  return freedom;
-}
-
 double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) { return u[0] * v[1] - u[1] * v[0]; }
 
 }  // namespace
 
-PeriodicAreas::PeriodicAreas(const Faces& faces, const Points2& shifts, int vertexCount)
-    : AreaFunctional(faces, freeButFirst(vertexCount)), shifts_(shifts) {}
+PeriodicAreas::PeriodicAreas(const Faces& faces, const Points2& shifts, std::vector<char> freedom)
+    : AreaFunctional(faces, std::move(freedom)), shifts_(shifts) {}
 
 Eigen::VectorXd PeriodicAreas::areas(const Coordinates& image) const {
   return periodicFaceAreas(Points2(image), shifts_, faces());
@@ -25,18 +21,21 @@ Eigen::VectorXd PeriodicAreas::areas(const Coordinates& image) const {
 
 AreaFunctional::Frames PeriodicAreas::frames(const Coordinates& image) const {
   Frames result = Frames::Zero(image.rows(), 4);
-  result.bottomRows(image.rows() - 1).rowwise() = Eigen::RowVector4d(1, 0, 0, 1);
+  for (int v = 0; v < vertexCount(); ++v) {
+    if (freedom(v) > 0) result(v, 0) = 1;
+    if (freedom(v) == 2) result(v, 3) = 1;
+  }
   return result;
 }
 
-AreaFunctional::Gradients PeriodicAreas::gradients(const Coordinates& image, const Frames&) const {
+AreaFunctional::Gradients PeriodicAreas::gradients(const Coordinates& image, const Frames& frames) const {
   Gradients result(faces().rows(), 6);
   for (int f = 0; f < static_cast<int>(faces().rows()); ++f) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector2d across = corner(image, f, (k + 2) % 3) - corner(image, f, (k + 1) % 3);
-      const bool fixed = freedom(faces()(f, k)) == 0;
-      result(f, 2 * k) = fixed ? 0 : -0.5 * across[1];
-      result(f, 2 * k + 1) = fixed ? 0 : 0.5 * across[0];
+      const auto frame = frames.row(faces()(f, k));
+      result(f, 2 * k) = 0.5 * (across[0] * frame[1] - across[1] * frame[0]);
+      result(f, 2 * k + 1) = 0.5 * (across[0] * frame[3] - across[1] * frame[2]);
     }
   }
   return result;

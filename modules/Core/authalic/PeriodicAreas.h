@@ -1,18 +1,21 @@
 /// @file
-/// Areas of an image on the flat torus. Private to authalic/.
+/// Areas of an image on the flat torus or the flat cylinder. Private to authalic/.
 #pragma once
+
+#include <vector>
 
 #include "Core/authalic/AreaFunctional.h"
 
 namespace authalic {
 
-/// Every vertex moves anywhere but vertex 0, which fixes the translation. Corners lie at x_v + a shift of the
-/// lattice, so that there is no seam: every star is whole.
+/// Corners lie at x_v + a shift of the lattice, so that there is no seam: every star is whole.
 class PeriodicAreas final : public AreaFunctional {
  public:
-  /// @param shifts  3m×2, see periodicFaceAreas(); kept by reference
-  PeriodicAreas(const Faces& faces, const Points2& shifts, int vertexCount);
+  /// @param shifts   3m×2, see periodicFaceAreas(); kept by reference
+  /// @param freedom  n values: 2 = moves anywhere, 1 = along x, 0 = stays; one that stays fixes the translation
+  PeriodicAreas(const Faces& faces, const Points2& shifts, std::vector<char> freedom);
 
+  [[nodiscard]] const Points2& shifts() const override { return shifts_; }
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
   [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;

@@ -124,9 +124,8 @@ class ShareSolve {
   double improve(std::size_t r) {
     const auto index = static_cast<Eigen::Index>(r);
     const Eigen::VectorXd density = logDensity_.array().exp();
-    Eigen::VectorXd masses = measure_.cwiseProduct(meanOfCorners(surface_, density));
+    const Eigen::VectorXd masses = measure_.cwiseProduct(meanOfCorners(surface_, density));
     const Eigen::VectorXd changes = measure_.cwiseProduct(meanOfCorners(surface_, density.cwiseProduct(weights_[r])));
-    masses = masses.cwiseMax(TargetMeasure::smallestTarget(masses));
     const double in = inside(masses, r), out = masses.sum() - in;
     const double inChange = inside(changes, r), outChange = changes.sum() - inChange;
     const double share = in / (in + out), slope = inChange / in - outChange / out;

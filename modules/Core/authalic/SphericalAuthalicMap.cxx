@@ -67,7 +67,8 @@ SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const 
   const SolidAngles areas(sphere.mesh().faces(), sphere.mesh().vertexCount());
   SphericalAuthalicMapResult result;
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, sphere.mesh(), target, start, options, execution.part(0.3, 1));
+  AreaSolveResult solved = solveAreas(areas, sphere.mesh(), target, start, options, execution.part(0.3, 1),
+                                      Shapes::First);
   result.image = rotateSphere(sphere.mesh(), Points3(solved.image));
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;

@@ -26,7 +26,7 @@ double farthestStar(const SphereMesh& sphere, const TargetMeasure& target, const
 
 }  // namespace
 
-std::unique_ptr<AreaFunctional> SphericalFlowDomain::areasOn(const Faces& faces) const {
+std::unique_ptr<AreaFunctional> SphericalFlowDomain::areasOn(const Faces& faces, const Points2&) const {
   return std::make_unique<SolidAngles>(faces, sphere_.mesh().vertexCount());
 }
 

@@ -13,7 +13,7 @@ class SphericalFlowDomain final : public LieFlowDomain {
   SphericalFlowDomain(const SphereMesh& sphere, const TargetMeasure& target)
       : LieFlowDomain(sphere.mesh().faces(), target), sphere_(sphere) {}
 
-  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> areasOn(const Faces& faces, const Points2&) const override;
   [[nodiscard]] Coordinates unfolded(const Coordinates& image, UnfoldReach reach) const override;
 
  private:

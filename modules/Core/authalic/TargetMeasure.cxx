@@ -1,5 +1,6 @@
 #include "Core/authalic/TargetMeasure.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,7 +10,9 @@
 namespace authalic {
 namespace {
 
-constexpr double kSmallestTarget = 1e-6;  // of the mean
+constexpr double kSmallestTarget = 1e-6;  // of the mean of the faces: smaller ones have no area
+constexpr double kWithoutArea = 1e-2;     // of that mean, for those: thin faces stop all steps
+constexpr double kOfStar = 0.05;          // of the smallest star around them, if that is less
 
 void requireDensity(const Eigen::VectorXd& density, int count, const std::string& element) {
   if (density.size() != count) {
@@ -42,17 +45,32 @@ TargetMeasure::TargetMeasure(const TriangleMesh& surface)
     : TargetMeasure(surface, Eigen::VectorXd::Ones(surface.faceCount())) {}
 
 TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd& faceDensity)
-    : faces_(faceAreas(surface).cwiseProduct(faceDensity)) {
-  const double total = faces_.sum();
+    : shares_(faceAreas(surface).cwiseProduct(faceDensity)) {
+  const double total = shares_.sum();
   if (!(total > 0) || !std::isfinite(total)) {
     throw GeometryError("A surface with a positive, finite area is required, but its " +
                         std::to_string(surface.faceCount()) + " faces have none.");
   }
-  const double smallest = smallestTarget(faces_);
-  clampedFaces_ = static_cast<int>((faces_.array() < smallest).count());
-  faces_ = faces_.cwiseMax(smallest);
+  shares_ /= total;
+  raiseSmallTargets(surface);
+}
+
+void TargetMeasure::raiseSmallTargets(const TriangleMesh& surface) {
+  const double smallest = smallestTarget(shares_);
+  vertices_ = vertexStars(shares_, surface.faces(), surface.vertexCount());
+  faces_ = shares_;
+  clampedFaces_ = 0;
+  for (int f = 0; f < surface.faceCount(); ++f) {
+    if (shares_[f] >= smallest) continue;
+    double raised = kWithoutArea / surface.faceCount();
+    for (const int v : surface.faces().row(f)) raised = std::min(raised, kOfStar * vertices_[v]);
+    faces_[f] = std::max(raised, smallest);
+    ++clampedFaces_;
+  }
   faces_ /= faces_.sum();
-  vertices_ = vertexStars(faces_, surface.faces(), surface.vertexCount());
+  const Eigen::VectorXd raised = vertexStars(faces_, surface.faces(), surface.vertexCount());
+  vertices_ = (vertices_.array() < smallest / 3).select(raised, vertices_);
+  vertices_ /= vertices_.sum();
 }
 
 TargetMeasure TargetMeasure::fromVertexDensity(const TriangleMesh& surface, const Eigen::VectorXd& density) {
@@ -78,10 +96,9 @@ TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::V
   }
   const Eigen::VectorXd ofFace = meanOfCorners(surface, t);
   TargetMeasure result = *this;
-  result.faces_ = (1 - ofFace.array()) * imageAreas.array() / imageAreas.sum() + ofFace.array() * faces_.array();
-  result.faces_ = result.faces_.cwiseMax(smallestTarget(result.faces_));
-  result.faces_ /= result.faces_.sum();
-  result.vertices_ = vertexStars(result.faces_, surface.faces(), surface.vertexCount());
+  result.shares_ = (1 - ofFace.array()) * imageAreas.array() / imageAreas.sum() + ofFace.array() * shares_.array();
+  result.shares_ /= result.shares_.sum();
+  result.raiseSmallTargets(surface);
   return result;
 }
 

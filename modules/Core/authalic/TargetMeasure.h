@@ -14,7 +14,9 @@ namespace authalic {
 ///
 /// The target of face t is ρ_t A_t / Σ ρ A @cite su2019 (eq. 6): the density multiplies the *surface* area form,
 /// so that ρ = 4 on a region gives it four times the share per mm². A region's share is exact in this measure.
-/// Faces without surface area get 1e-6 of the mean target (`clampedFaces`): nothing can be mapped to a point.
+/// Faces without surface area (below 1e-6 of the mean target) get 1e-2 of the mean, or less in small stars
+/// (`clampedFaces`): nothing can be mapped to a point. The stars of vertices do without that, so that they stay exact;
+/// a star without any area is the sum of its raised faces.
 class TargetMeasure {
  public:
   /// ρ = 1: area-preserving.
@@ -48,15 +50,18 @@ class TargetMeasure {
 
   /// m shares, > 0, sum 1.
   [[nodiscard]] const Eigen::VectorXd& faces() const noexcept { return faces_; }
-  /// n shares: a third of the faces around each vertex, sum 1.
+  /// m shares ≥ 0 before any was raised, sum 1: what a map is measured against.
+  [[nodiscard]] const Eigen::VectorXd& shares() const noexcept { return shares_; }
+  /// n shares: a third of the faces around each vertex, before any was raised; sum 1.
   [[nodiscard]] const Eigen::VectorXd& vertices() const noexcept { return vertices_; }
   /// Faces whose target was raised because they have no area.
   [[nodiscard]] int clampedFaces() const noexcept { return clampedFaces_; }
 
  private:
   TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd& faceDensity);
+  void raiseSmallTargets(const TriangleMesh& surface);
 
-  Eigen::VectorXd faces_, vertices_;
+  Eigen::VectorXd shares_, faces_, vertices_;
   int clampedFaces_ = 0;
 };
 

@@ -1,16 +1,17 @@
 #include "Core/authalic/ToroidalAuthalicMap.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/PeriodicAreas.h"
+#include "Core/authalic/PeriodicStretch.h"
 #include "Core/geometry/Areas.h"
 
 namespace authalic {
@@ -32,30 +33,9 @@ struct PeriodicImage {
   }
 };
 
-// Σ A_t J_t J_tᵀ of the map from the surface to the plane.
-Eigen::Matrix2d stretch(const TriangleMesh& surface, const PeriodicImage& image, const CutGraph& cut) {
-  const Points2 shifts = image.shifts(cut);
-  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-  for (int f = 0; f < surface.faceCount(); ++f) {
-    const Eigen::Vector3d e = surface.corner(f, 1) - surface.corner(f, 0),
-                          g = surface.corner(f, 2) - surface.corner(f, 0);
-    const double base = e.norm(), twice = e.cross(g).norm();
-    if (!(twice > 1e-12 * base * g.norm())) continue;
-    Eigen::Matrix2d flat, mapped;
-    flat << base, e.dot(g) / base, 0, twice / base;
-    for (int k = 1; k < 3; ++k) {
-      mapped.col(k - 1) = (image.points.row(surface.faces()(f, k)) + shifts.row(3 * f + k) -
-                           image.points.row(surface.faces()(f, 0)) - shifts.row(3 * f)).transpose();
-    }
-    const Eigen::Matrix2d jacobian = mapped * flat.inverse();
-    sum += 0.5 * twice * jacobian * jacobian.transpose();
-  }
-  return sum;
-}
-
 // The periods that make the Dirichlet energy least at area 1, the first one along +x.
 void relaxLattice(const TriangleMesh& surface, const CutGraph& cut, PeriodicImage& image) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(stretch(surface, image, cut));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(periodicStretch(surface, image.points, image.shifts(cut)));
   const Eigen::Matrix2d relax = eigen.operatorInverseSqrt();
   image.transform(relax / std::sqrt(std::abs((relax * image.lattice).determinant())));
   const Eigen::Vector2d first = image.lattice.col(0).normalized();
@@ -68,7 +48,9 @@ PeriodicImage makeStart(const TorusMesh& torus, CutGraph& cut, const TargetMeasu
   const auto areas = [&] { return periodicFaceAreas(image.points, image.shifts(cut), torus.mesh().faces()); };
   // Whatever the points, the areas sum to ±1: the generators may be numbered so that the image is mirrored.
   if (areas().sum() < 0) cut.windings.col(1) *= -1;
-  image.points = balancedPeriodicStart(torus.topology(), image.points, image.shifts(cut), target, backend,
+  std::vector<char> held(static_cast<std::size_t>(torus.mesh().vertexCount()), 0);
+  held[0] = 1;
+  image.points = balancedPeriodicStart(torus.topology(), image.points, image.shifts(cut), held, target, backend,
                                        kWithinSight, execution);
   relaxLattice(torus.mesh(), cut, image);
   return image;
@@ -111,7 +93,9 @@ ToroidalAuthalicMapResult toroidalAuthalicMap(const TorusMesh& torus, const Targ
   result.cut = cutToFundamentalDomain(torus.mesh(), torus.topology());
   PeriodicImage image = makeStart(torus, result.cut, target, options.solver, execution.part(0, 0.3));
   const Points2 shifts = image.shifts(result.cut);
-  const PeriodicAreas areas(faces, shifts, torus.mesh().vertexCount());
+  std::vector<char> freedom(static_cast<std::size_t>(torus.mesh().vertexCount()), 2);
+  freedom[0] = 0;
+  const PeriodicAreas areas(faces, shifts, std::move(freedom));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solveAreas(areas, torus.mesh(), target, image.points, options, execution.part(0.3, 1));
   image.points = solved.image;

@@ -40,7 +40,6 @@ VertexMatch::VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& tar
   }
   values_.resize(entries);
   jacobian_.resize(2 * stars_.size());
-  solver_.analyze(assembly_.matrix());
 }
 
 void VertexMatch::restart(const Coordinates& image) {
@@ -130,6 +129,8 @@ Coordinates VertexMatch::step(const Eigen::VectorXd& error) {
     double& diagonal = matrix.valuePtr()[matrix.outerIndexPtr()[v]];
     diagonal = diagonal > 0 ? diagonal * (1 + kRegularisation) : 1;
   }
+  if (!analysed_) solver_.analyze(matrix);  // what starts near enough never comes here
+  analysed_ = true;
   solver_.factorize(matrix);
   const Eigen::VectorXd multipliers = solver_.solve(error);
   Eigen::VectorXd step = Eigen::VectorXd::Zero(areas_.unknownCount());

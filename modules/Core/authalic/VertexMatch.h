@@ -47,6 +47,7 @@ class VertexMatch {
   std::vector<double> values_;
   ElementAssembly assembly_;
   SparseSolver solver_;
+  bool analysed_ = false;
   AreaFunctional::Frames frames_;
   Eigen::VectorXd mobility_;           // 1 / W
 };

@@ -40,11 +40,12 @@ double tangentOfHalfAngle(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   return denominator > 1e-6 * cross ? cross / denominator : 1e6;
 }
 
+// @param place  of corner k of face f
 template <class Place>
 MeanValueWeights meanValueWeightsOf(const Faces& faces, const Place& place) {
   MeanValueWeights weights{HalfEdgeWeights(faces.rows(), 3), HalfEdgeWeights(faces.rows(), 3)};
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const std::array<Eigen::Vector3d, 3> p{place(faces(f, 0)), place(faces(f, 1)), place(faces(f, 2))};
+    const std::array<Eigen::Vector3d, 3> p{place(f, 0), place(f, 1), place(f, 2)};
     const std::array<Eigen::Vector3d, 3> edge{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
     std::array<double, 3> tangent{};
     for (std::size_t k = 0; k < 3; ++k) tangent[k] = tangentOfHalfAngle(edge[k], -edge[(k + 2) % 3]);
@@ -56,6 +57,13 @@ MeanValueWeights meanValueWeightsOf(const Faces& faces, const Place& place) {
     }
   }
   return weights;
+}
+
+// Where corner k of a face lies, in an image that is periodic when there are shifts.
+Eigen::RowVector2d cornerOf(const Points2& points, const Faces& faces, const Points2& shifts, Eigen::Index f,
+                            Eigen::Index k) {
+  const Eigen::RowVector2d place = points.row(faces(f, k));
+  return shifts.size() == 0 ? place : place + shifts.row(3 * f + k);
 }
 
 double angleBetween(double ux, double uy, double vx, double vy) {
@@ -77,10 +85,11 @@ HalfEdgeWeights cotangentWeights(const Points3& points, const Faces& faces) {
   return weights;
 }
 
-HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces) {
+HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces, const Points2& shifts) {
   HalfEdgeWeights weights(faces.rows(), 3);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const Eigen::RowVector2d a = points.row(faces(f, 0)), b = points.row(faces(f, 1)), c = points.row(faces(f, 2));
+    const Eigen::RowVector2d a = cornerOf(points, faces, shifts, f, 0), b = cornerOf(points, faces, shifts, f, 1),
+                             c = cornerOf(points, faces, shifts, f, 2);
     const double doubleArea = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     weights.row(f) = halfCotangents<Eigen::RowVector2d>(b - a, c - b, a - c, doubleArea);
   }
@@ -88,11 +97,16 @@ HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces) {
 }
 
 MeanValueWeights meanValueWeights(const TriangleMesh& surface) {
-  return meanValueWeightsOf(surface.faces(), [&surface](int v) { return surface.point(v); });
+  return meanValueWeightsOf(surface.faces(), [&surface](Eigen::Index f, int k) {
+    return surface.corner(static_cast<int>(f), k);
+  });
 }
 
-MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces) {
-  return meanValueWeightsOf(faces, [&points](int v) { return Eigen::Vector3d(points(v, 0), points(v, 1), 0); });
+MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces, const Points2& shifts) {
+  return meanValueWeightsOf(faces, [&](Eigen::Index f, int k) {
+    const Eigen::RowVector2d place = cornerOf(points, faces, shifts, f, k);
+    return Eigen::Vector3d(place[0], place[1], 0);
+  });
 }
 
 SparseMatrix cotangentStiffness(const TriangleMesh& surface) {
@@ -103,31 +117,34 @@ SparseMatrix cotangentStiffness(const Points2& points, const Faces& faces) {
   return stiffnessOf(cotangentWeights(points, faces), faces, static_cast<int>(points.rows()));
 }
 
-Points2 faceGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u) {
+Points2 faceGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u, const Points2& shifts) {
   Points2 gradients(faces.rows(), 2);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     const int a = faces(f, 0), b = faces(f, 1), c = faces(f, 2);
-    const double ex = points(b, 0) - points(a, 0), ey = points(b, 1) - points(a, 1);
-    const double fx = points(c, 0) - points(a, 0), fy = points(c, 1) - points(a, 1);
-    const double doubleArea = ex * fy - ey * fx, du = u[b] - u[a], dv = u[c] - u[a];
+    const Eigen::RowVector2d origin = cornerOf(points, faces, shifts, f, 0),
+                             e = cornerOf(points, faces, shifts, f, 1) - origin,
+                             g = cornerOf(points, faces, shifts, f, 2) - origin;
+    const double doubleArea = e[0] * g[1] - e[1] * g[0], du = u[b] - u[a], dv = u[c] - u[a];
     if (doubleArea == 0) {
       gradients.row(f).setZero();
     } else {
-      gradients.row(f) << (du * fy - dv * ey) / doubleArea, (dv * ex - du * fx) / doubleArea;
+      gradients.row(f) << (du * g[1] - dv * e[1]) / doubleArea, (dv * e[0] - du * g[0]) / doubleArea;
     }
   }
   return gradients;
 }
 
-Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u) {
-  const Points2 ofFace = faceGradients(points, faces, u);
+Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u, const Points2& shifts) {
+  const Points2 ofFace = faceGradients(points, faces, u, shifts);
   Points2 gradients = Points2::Zero(points.rows(), 2);
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(points.rows());
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const int i = faces(f, k), j = faces(f, (k + 1) % 3), l = faces(f, (k + 2) % 3);
-      const double angle = angleBetween(points(j, 0) - points(i, 0), points(j, 1) - points(i, 1),
-                                        points(l, 0) - points(i, 0), points(l, 1) - points(i, 1));
+      const int i = faces(f, k);
+      const Eigen::RowVector2d origin = cornerOf(points, faces, shifts, f, k),
+                               e = cornerOf(points, faces, shifts, f, (k + 1) % 3) - origin,
+                               g = cornerOf(points, faces, shifts, f, (k + 2) % 3) - origin;
+      const double angle = angleBetween(e[0], e[1], g[0], g[1]);
       gradients.row(i) += angle * ofFace.row(f);
       angles[i] += angle;
     }

@@ -19,7 +19,8 @@ using HalfEdgeWeights = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor
 [[nodiscard]] HalfEdgeWeights cotangentWeights(const TriangleMesh& surface);
 [[nodiscard]] HalfEdgeWeights cotangentWeights(const Points3& points, const Faces& faces);
 /// The same in the plane (angles do not depend on orientation).
-[[nodiscard]] HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces);
+/// @param shifts  3m×2 or empty: corner 3 f + k of a periodic image lies at points(v) + shift; also below
+[[nodiscard]] HalfEdgeWeights cotangentWeights(const Points2& points, const Faces& faces, const Points2& shifts = {});
 
 /// Mean-value weights @cite floater2003 of each half-edge i→j, this face's part: tan(α_i/2)/|ij| forwards and
 /// tan(α_j/2)/|ij| backwards. Positive on every face with positive area; not symmetric.
@@ -29,7 +30,7 @@ struct MeanValueWeights {
 [[nodiscard]] MeanValueWeights meanValueWeights(const TriangleMesh& surface);
 /// The same in the plane, with unsigned angles: positive also on folded faces. Where no face around an inner vertex is
 /// folded, the vertex is the mean of its neighbours with these weights.
-[[nodiscard]] MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces);
+[[nodiscard]] MeanValueWeights meanValueWeights(const Points2& points, const Faces& faces, const Points2& shifts = {});
 
 /// Cotangent stiffness L (n×n, lower triangle): L_ij = −½(cot α + cot β), L_ii = −Σ_j L_ij.
 ///
@@ -40,11 +41,13 @@ struct MeanValueWeights {
 
 /// Gradient of the piecewise linear function u on each face of a planar mesh, m×2.
 /// Faces without area have gradient 0.
-[[nodiscard]] Points2 faceGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u);
+[[nodiscard]] Points2 faceGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u,
+                                    const Points2& shifts = {});
 
 /// Face gradients averaged to the vertices with the incident angles as weights, n×2.
 /// @cite zou2011 (eq. 16)
-[[nodiscard]] Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u);
+[[nodiscard]] Points2 vertexGradients(const Points2& points, const Faces& faces, const Eigen::VectorXd& u,
+                                      const Points2& shifts = {});
 /// The same on a surface, n×3: the gradients of the flat faces, which need not be tangential at a vertex.
 [[nodiscard]] Points3 vertexGradients(const Points3& points, const Faces& faces, const Eigen::VectorXd& u);
 

@@ -60,15 +60,15 @@ Eigen::MatrixXd rightHandSide(const Faces& faces, const HalfEdgeWeights& forward
   return b;
 }
 
-// What the shifts of corners contribute.
-void addShifts(const HalfEdgeWeights& weights, const ElementAssembly::Unknowns& unknowns, const Points2& shifts,
-               Eigen::MatrixXd& b) {
-  for (Eigen::Index f = 0; f < weights.rows(); ++f) {
+// What the shifts of corners contribute. @param forward, backward  as above
+void addShifts(const HalfEdgeWeights& forward, const HalfEdgeWeights& backward,
+               const ElementAssembly::Unknowns& unknowns, const Points2& shifts, Eigen::MatrixXd& b) {
+  for (Eigen::Index f = 0; f < forward.rows() && shifts.size() > 0; ++f) {
     for (int k = 0; k < 3; ++k) {
       const int l = (k + 1) % 3, i = unknowns(f, k), j = unknowns(f, l);
-      const Eigen::RowVector2d pull = weights(f, k) * (shifts.row(3 * f + l) - shifts.row(3 * f + k));
-      if (i >= 0) b.row(i) += pull;
-      if (j >= 0) b.row(j) -= pull;
+      const Eigen::RowVector2d between = shifts.row(3 * f + l) - shifts.row(3 * f + k);
+      if (i >= 0) b.row(i) += forward(f, k) * between;
+      if (j >= 0) b.row(j) -= backward(f, k) * between;
     }
   }
 }
@@ -188,21 +188,22 @@ void BarycentricSolver::solve(const HalfEdgeWeights& weights, Points2& image, co
   if (vertices_.empty()) return;
   solver_.factorize(assembly_.assemble(elementValues(weights)));
   Eigen::MatrixXd b = rightHandSide(faces_, weights, weights, unknowns_, vertices_.size(), image);
-  if (shifts.size() > 0) addShifts(weights, unknowns_, shifts, b);
+  addShifts(weights, weights, unknowns_, shifts, b);
   store(vertices_, solver_.solve(b), image);
 }
 
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
-                      SolverBackend backend, Points2& image) {
+                      SolverBackend backend, Points2& image, const Points2& shifts) {
   const Unknowns unknowns = numberFreeVertices(faces, held);
   if (unknowns.vertices.empty()) return;
   const int count = static_cast<int>(unknowns.vertices.size());
   const DirectedSystem system(weights, unknowns.ofFace, count);
   SparseSolver solver(backend);
   solver.compute(system.symmetricPart());
-  const Eigen::MatrixXd b = system.scale().asDiagonal() *
+  Eigen::MatrixXd b =
       rightHandSide(faces, weights.forward, weights.backward, unknowns.ofFace, unknowns.vertices.size(), image);
-  store(unknowns.vertices, solveUnsymmetric(system, solver, b), image);
+  addShifts(weights.forward, weights.backward, unknowns.ofFace, shifts, b);
+  store(unknowns.vertices, solveUnsymmetric(system, solver, system.scale().asDiagonal() * b), image);
 }
 
 }  // namespace authalic

@@ -39,7 +39,8 @@ class BarycentricSolver {
 /// The same with different weights each way @cite floater2003, rows scaled towards symmetry, solved by GMRES on both
 /// coordinates with the factorised symmetric part as preconditioner, to 1e-13 of the solution; by sparse LU where
 /// that stalls.
+/// @param shifts  as for BarycentricSolver
 void solveBarycentric(const Faces& faces, const MeanValueWeights& weights, const std::vector<char>& held,
-                      SolverBackend backend, Points2& image);
+                      SolverBackend backend, Points2& image, const Points2& shifts = {});
 
 }  // namespace authalic

@@ -25,9 +25,12 @@ void grow(const Faces& faces, int rings, std::vector<char>& marked) {
   }
 }
 
-std::vector<char> cornersOfFolds(const Faces& faces, const Points2& image) {
-  const Eigen::VectorXd areas = signedFaceAreas(image, faces);
-  std::vector<char> marked(static_cast<std::size_t>(image.rows()), 0);
+Eigen::VectorXd areasOf(const Points2& image, const Faces& faces, const Points2& shifts) {
+  return shifts.size() == 0 ? signedFaceAreas(image, faces) : periodicFaceAreas(image, shifts, faces);
+}
+
+std::vector<char> cornersOfFolds(const Faces& faces, const Eigen::VectorXd& areas, int vertexCount) {
+  std::vector<char> marked(at(vertexCount), 0);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     if (areas[f] > 0) continue;
     for (int k = 0; k < 3; ++k) marked[at(faces(f, k))] = 1;
@@ -36,24 +39,27 @@ std::vector<char> cornersOfFolds(const Faces& faces, const Points2& image) {
 }
 
 // With the image's own mean-value weights; with equal ones where collapsed triangles make those unusable.
-void embed(const Faces& faces, const std::vector<char>& held, Points2& image) {
+void embed(const Faces& faces, const std::vector<char>& held, const Points2& shifts, Points2& image) {
   try {
-    solveBarycentric(faces, meanValueWeights(image, faces), held, SolverBackend::Automatic, image);
+    solveBarycentric(faces, meanValueWeights(image, faces, shifts), held, SolverBackend::Automatic, image, shifts);
   } catch (const SolverError&) {
-    solveBarycentric(faces, HalfEdgeWeights::Constant(faces.rows(), 3, 1.0), held, SolverBackend::Automatic, image);
+    BarycentricSolver(faces, held, SolverBackend::Automatic)
+        .solve(HalfEdgeWeights::Constant(faces.rows(), 3, 1.0), image, shifts);
   }
 }
 
 }  // namespace
 
-UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution, UnfoldReach reach) {
+UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution, UnfoldReach reach,
+                    const Points2& shifts) {
   UnfoldResult result{std::move(image), 0, 0, 0};
   const Faces& faces = topology.faces();
   for (int rings = 2;; rings *= 2) {
-    result.flippedFaces = countFlippedFaces(result.image, faces);
+    const Eigen::VectorXd areas = areasOf(result.image, faces, shifts);
+    result.flippedFaces = static_cast<int>(faces.rows() - (areas.array() > 0).count());
     const bool everything = result.movedVertices == topology.vertexCount();
     if (result.flippedFaces == 0 || everything || execution.cancelled()) return result;
-    std::vector<char> held = cornersOfFolds(faces, result.image);
+    std::vector<char> held = cornersOfFolds(faces, areas, topology.vertexCount());
     grow(faces, rings, held);
     result.movedVertices = static_cast<int>(std::count(held.begin(), held.end(), 1));
     if (rings > kMostRings || 2 * result.movedVertices > topology.vertexCount()) {
@@ -62,7 +68,7 @@ UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execut
       result.movedVertices = topology.vertexCount();
     }
     for (std::size_t v = 0; v < held.size(); ++v) held[v] = !held[v] || topology.onBoundary()[v];
-    embed(faces, held, result.image);
+    embed(faces, held, shifts, result.image);
     ++result.rounds;
   }
 }

@@ -28,7 +28,8 @@ struct UnfoldResult {
 /// Where collapsed triangles make those weights unusable, equal weights take their place.
 /// Boundary vertices never move. Complexity: one sparse solve per round on the patches.
 /// With UnfoldReach::Patches folds are left where patches of 32 rings do not suffice.
+/// @param shifts  3m×2 or empty: those of a periodic image, see periodicFaceAreas()
 [[nodiscard]] UnfoldResult unfold(const SurfaceTopology& topology, Points2 image, const Execution& execution = {},
-                                  UnfoldReach reach = UnfoldReach::WholeMesh);
+                                  UnfoldReach reach = UnfoldReach::WholeMesh, const Points2& shifts = {});
 
 }  // namespace authalic

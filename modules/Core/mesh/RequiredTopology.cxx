@@ -39,21 +39,23 @@ std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, 
     return what + " at " + at(defects.front().place) + "; " + advice;
   };
   if (!report.nonManifoldEdges.empty()) {
-    return first(report.nonManifoldEdges, "an edge with more than two faces", "repair the surface first");
+    return first(report.nonManifoldEdges, "an edge with more than two faces",
+                 "repair the surface first ('authalic repair')");
   }
   if (!report.inconsistentEdges.empty()) {
     return first(report.inconsistentEdges, "two neighbouring faces with opposite orientation",
-                 "orient the surface consistently (a Möbius band cannot be)");
+                 "orient the surface consistently ('authalic repair'; a Möbius band cannot be)");
   }
   if (!report.nonManifoldVertices.empty()) {
-    return first(report.nonManifoldVertices, "a vertex where the surface touches itself", "repair the surface first");
+    return first(report.nonManifoldVertices, "a vertex where the surface touches itself",
+                 "repair the surface first ('authalic repair')");
   }
   if (report.components.size() != 1) {
     return "a second component centred at " + at(report.components[1].place) +
-           "; keep the largest one ('authalic cut')";
+           "; keep the largest one ('authalic repair --stray-share 1')";
   }
   if (!report.isolatedVertices.empty()) {
-    return first(report.isolatedVertices, "a vertex that no face uses", "drop such vertices ('authalic cut')");
+    return first(report.isolatedVertices, "a vertex that no face uses", "drop such vertices ('authalic repair')");
   }
   if (report.loops.size() < required.fewestLoops) {
     return report.loops.empty() ? "no boundary; open the surface first ('authalic cut')"
@@ -70,7 +72,7 @@ std::string obstacle(const TriangleMesh& mesh, const SurfaceTopology& topology, 
   }
   if (report.genus > required.mostGenus)
     return "handles (genus " + std::to_string(report.genus) + "), one of them along " + loopOf(mesh, topology) +
-           "; cut or repair them first";
+           "; cut or repair them first ('authalic repair')";
   return {};
 }
 

@@ -30,7 +30,7 @@ void requireValidFaces(const Faces& faces, Eigen::Index vertexCount) {
     if (a == b || b == c || c == a) {
       throw GeometryError("Three different vertices per face are required, but face " + std::to_string(f) +
                           " names " + std::to_string(a) + ", " + std::to_string(b) + ", " + std::to_string(c) +
-                          "; remove the degenerate face.");
+                          "; remove the degenerate face ('authalic repair').");
     }
   }
 }

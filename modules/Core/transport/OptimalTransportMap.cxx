@@ -92,7 +92,7 @@ double displacementCost(const Eigen::VectorXd& masses, const Points2& sites, con
 
 OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen::VectorXd& shares,
                                               const OptimalTransportMapOptions& options, const Points2& initial,
-                                              const Execution& execution) {
+                                              const Execution& execution, const Heights& start) {
   options.validate();
   requireShares(shares, disk);
   const auto begun = std::chrono::steady_clock::now();
@@ -114,8 +114,10 @@ OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen:
   result.startSeconds = secondsSince(begun);
   PowerDiagram diagram(result.sites, options.domain);
   result.masses = options.domain.area() * shares;
+  const bool usable = start.size() > 0 && diagram.computeUnlessHidden(start, execution) &&
+                      diagram.cells().areas.minCoeff() > 0;
   static_cast<TransportSolution&>(result) =
-      semiDiscreteTransport(diagram, result.masses, options, {}, execution.part(0.1, 0.95));
+      semiDiscreteTransport(diagram, result.masses, options, usable ? start : Heights(), execution.part(0.1, 0.95));
   const PowerCells& cells = diagram.cells();
   result.image = cells.centroids;
   putBoundaryBack(boundary, options.domain, result.image);

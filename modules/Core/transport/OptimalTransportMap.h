@@ -35,6 +35,8 @@ struct OptimalTransportMapResult : TransportSolution {
 /// @param shares   n, > 0, sum 1: of the domain, for each vertex (TargetMeasure::vertices())
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty for the harmonic map;
 ///                 vertices outside the domain (pockets) are put on its boundary
+/// @param start    heights to start from, such as those of other shares from the same initial map; empty, or heights
+///                 that leave a cell empty: those of Voronoi's cells
 ///
 /// Guarantees: cells have their areas to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do
 /// not fold (flippedFaces) — authalicMap started from this image removes both.
@@ -44,7 +46,8 @@ struct OptimalTransportMapResult : TransportSolution {
 [[nodiscard]] OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen::VectorXd& shares,
                                                             const OptimalTransportMapOptions& options = {},
                                                             const Points2& initial = {},
-                                                            const Execution& execution = {});
+                                                            const Execution& execution = {},
+                                                            const Heights& start = {});
 
 /// Σ ν_i |x_i − y_i|²: what it costs to move masses from sites to places.
 [[nodiscard]] double displacementCost(const Eigen::VectorXd& masses, const Points2& sites, const Points2& places);

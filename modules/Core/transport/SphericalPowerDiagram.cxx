@@ -26,8 +26,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // e^{-h_i} (Y_j − Y_i) = e^δ (y_j − y_i) + (e^δ − 1) y_i, δ = h_j − h_i: exact to rounding of itself, however small.
 Vector3l between(const Points3& y, const Heights& h, int i, int j) {
   const Vector3l from = y.row(i).transpose().cast<long double>(), to = y.row(j).transpose().cast<long double>();
-  const long double delta = h[j] - h[i];
-  return std::exp(delta) * (to - from) + std::expm1(delta) * from;
+  const long double growth = std::expm1(h[j] - h[i]);
+  return (1 + growth) * (to - from) + growth * from;
 }
 
 // A vertex of the hull, a direction in the inside of its cell, and how far the other vertices lie below it.
@@ -56,12 +56,13 @@ Pole choosePole(const Points3& y, const Heights& h) {
   for (int k = 0; k < std::min(kCandidates, n); ++k) {
     Pole pole;
     pole.direction = y.row(static_cast<Eigen::Index>(k) * n / std::min(kCandidates, n)).transpose();
-    (y * pole.direction).cwiseProduct(radius).maxCoeff(&pole.vertex);
-    pole.below = depths(y, h, pole.direction, pole.vertex);
-    double least = std::numeric_limits<double>::infinity();
-    for (int j = 0; j < n; ++j) least = j == pole.vertex ? least : std::min(least, pole.below[j]);
+    Eigen::VectorXd above = (y * pole.direction).cwiseProduct(radius);
+    const double highest = above.maxCoeff(&pole.vertex);
+    above[pole.vertex] = -std::numeric_limits<double>::infinity();
+    const double least = (highest - above.maxCoeff()) / radius[pole.vertex];
     if (least > most || best.vertex < 0) best = std::move(pole), most = least;
   }
+  best.below = depths(y, h, best.direction, best.vertex);
   return best;
 }
 
@@ -166,6 +167,8 @@ const SphericalPowerCells& SphericalPowerDiagram::compute(const Heights& heights
     throw GeometryError("One finite height per site (" + std::to_string(n) + ") is required, but there are " +
                         std::to_string(heights.size()) + (heights.allFinite() ? "." : ", not all of them finite."));
   }
+  if (cells_.areas.size() == n && (heights_.array() == heights.array()).all()) return cells_;
+  cells_.areas.resize(0);
   heights_ = heights;
   triangulate();
   placeCorners(execution);

@@ -34,12 +34,12 @@ TransportSolution sphericalTransport(SphericalPowerDiagram& diagram, const Eigen
                                      const SemiDiscreteTransportOptions& options, const Heights& start,
                                      const Execution& execution) {
   const Heights first = start.size() > 0 ? start : Heights(Heights::Zero(diagram.sites().rows()));
-  if (!diagram.compute(first, execution).surrounded) {
+  SphericalCells cells(diagram, execution);
+  if (!cells.compute(first)) {
     throw GeometryError(
         "Sites all around the sphere are required, but there is a hemisphere without any; normalise the "
         "initial map so that its centre of mass is 0.");
   }
-  SphericalCells cells(diagram, execution);
   return dampedNewton(cells, diagram.sites().rows(), masses, kSphere, options, first, execution);
 }
 

@@ -25,6 +25,11 @@ void requireRows(Eigen::Index found, const SphereMesh& sphere, const char* what)
                       ") is required, but there are " + std::to_string(found) + ".");
 }
 
+bool leavesNoneEmpty(SphericalPowerDiagram& diagram, const Heights& heights, const Execution& execution) {
+  const SphericalPowerCells& cells = diagram.compute(heights, execution);
+  return cells.surrounded && cells.areas.minCoeff() > 0;
+}
+
 }  // namespace
 
 double displacementCost(const Eigen::VectorXd& masses, const Points3& sites, const Points3& places) {
@@ -39,7 +44,7 @@ double displacementCost(const Eigen::VectorXd& masses, const Points3& sites, con
 
 SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, const Eigen::VectorXd& shares,
                                                   const SemiDiscreteTransportOptions& options, const Points3& initial,
-                                                  const Execution& execution) {
+                                                  const Execution& execution, const Heights& start) {
   options.validate();
   requireRows(shares.size(), sphere, "One share");
   const auto begun = std::chrono::steady_clock::now();
@@ -58,8 +63,9 @@ SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, cons
   SphericalPowerDiagram diagram(std::move(result.sites));
   result.sites = diagram.sites();
   result.masses = kSphere * shares;
+  const bool usable = start.size() > 0 && leavesNoneEmpty(diagram, start, execution);
   static_cast<TransportSolution&>(result) =
-      sphericalTransport(diagram, result.masses, options, {}, execution.part(0.2, 0.95));
+      sphericalTransport(diagram, result.masses, options, usable ? start : Heights(), execution.part(0.2, 0.95));
   const SphericalPowerCells& cells = diagram.cells();
   result.image = cells.centroids;
   result.cellAreas = cells.areas;

@@ -28,6 +28,8 @@ struct SphericalTransportMapResult : TransportSolution {
 ///
 /// @param shares   n, > 0, sum 1: of the sphere, for each vertex (TargetMeasure::vertices())
 /// @param initial  n×3 unit vectors, or empty for sphericalConformalMap
+/// @param start    heights to start from, such as those of other shares from the same initial map; empty, or heights
+///                 that leave a cell empty: those of Voronoi's cells
 ///
 /// Guarantees: cells have their areas to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do not
 /// fold (flippedFaces) — sphericalAuthalicMap started from this image removes both. Complexity: as sphericalTransport.
@@ -36,7 +38,8 @@ struct SphericalTransportMapResult : TransportSolution {
 [[nodiscard]] SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, const Eigen::VectorXd& shares,
                                                                 const SemiDiscreteTransportOptions& options = {},
                                                                 const Points3& initial = {},
-                                                                const Execution& execution = {});
+                                                                const Execution& execution = {},
+                                                                const Heights& start = {});
 
 /// Σ ν_i d(x_i, y_i)², d the great-circle distance: how far masses move from sites to places.
 [[nodiscard]] double displacementCost(const Eigen::VectorXd& masses, const Points3& sites, const Points3& places);

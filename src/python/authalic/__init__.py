@@ -10,10 +10,10 @@ Functions take and return numpy arrays:
 >>> map.image, map.status, map.metrics["flipped_faces"]
 
     files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume, write_volume
-    surfaces   topology, cut_to_disk, cortical_surfaces
-    maps       flatten, methods, measure_distortion
+    surfaces   topology, repair, cut_to_disk, cortical_surfaces
+    maps       flatten, methods, measure_distortion, balance_curve
     sampling   sample_volume, labels_on_surface, elements
-    results    Surface, SurfaceMap, Volume, Samples, Elements, Distortion
+    results    Surface, RepairedSurface, SurfaceMap, Volume, Samples, Elements, Distortion, BalanceCurve
     failures   Error: InvalidArgument, SurfaceError, SolverError, FormatError, Cancelled, NotConverged;
                AuthalicWarning: NotConvergedWarning
 
@@ -25,7 +25,8 @@ from ._classes import *  # noqa: F403
 from ._elements import Elements, elements
 from ._errors import (AuthalicWarning, Cancelled, Error, FormatError, InvalidArgument, NotConverged,
                       NotConvergedWarning, SolverError, SurfaceError)
-from ._maps import Distortion, SurfaceMap, flatten, measure_distortion, methods
+from ._maps import BalanceCurve, Distortion, SurfaceMap, balance_curve, flatten, measure_distortion, methods
+from ._repair import RepairedSurface, repair
 from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
                         write_vertex_data)
 from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume, write_volume
@@ -33,6 +34,7 @@ from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, rea
 __version__ = "@PROJECT_VERSION@"
 __all__ = [
     "AuthalicWarning",
+    "BalanceCurve",
     "Cancelled",
     "Distortion",
     "Elements",
@@ -41,12 +43,14 @@ __all__ = [
     "InvalidArgument",
     "NotConverged",
     "NotConvergedWarning",
+    "RepairedSurface",
     "Samples",
     "SolverError",
     "Surface",
     "SurfaceError",
     "SurfaceMap",
     "Volume",
+    "balance_curve",
     "cortical_surfaces",
     "cut_to_disk",
     "elements",
@@ -57,6 +61,7 @@ __all__ = [
     "read_surface",
     "read_vertex_data",
     "read_volume",
+    "repair",
     "sample_volume",
     "topology",
     "write_surface",

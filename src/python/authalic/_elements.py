@@ -79,13 +79,14 @@ def elements(
             statistics.AddRegion(int(label), name)
     statistics.SetInputData(divided)
     _filters.warn(_filters.run(statistics, progress)[1])
-    return Elements(_table(statistics.GetOutput(0)), _table(statistics.GetOutput(1)),
+    return Elements(table_of(statistics.GetOutput(0)), table_of(statistics.GetOutput(1)),
                     _arrays.arrays_of(divided.GetPointData())["ElementId"],
                     _arrays.arrays_of(divided.GetCellData())["ElementId"], _segments(grid.GetOutput(1)),
                     _numbers(divided))
 
 
-def _table(table):
+def table_of(table):
+    """The columns of a vtkTable, {name: array}."""
     columns = {}
     for k in range(table.GetNumberOfColumns()):
         column = table.GetColumn(k)

@@ -1,11 +1,12 @@
-"""Maps of surfaces: one function over every map filter, and the metrics of a map."""
+"""Maps of surfaces: one function over every map filter, the metrics of a map, and the curve of balanced maps."""
 import dataclasses
 import json
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
 from . import _arrays, _classes, _filters
+from ._elements import Table, table_of
 from ._errors import InvalidArgument, NotConverged, NotConvergedWarning
 from ._surfaces import Progress, Surface, to_polydata
 
@@ -37,6 +38,8 @@ METHODS: dict[str, Method] = {
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "transport": Method("vtkOptimalTransportMap"),
     "transport-sphere": Method("vtkSphericalTransportMap", surface="sphere"),
+    "balanced": Method("vtkOptimalTransportMap", {"initial_method": "riemann", "finish": "authalic", "balance": 0.5}),
+    "balanced-sphere": Method("vtkSphericalTransportMap", {"finish": "authalic", "balance": 0.5}, surface="sphere"),
     "lie-flow": Method("vtkDiscreteLieFlow"),
     "lie-flow-sphere": Method("vtkSphericalLieFlow", surface="sphere"),
     "lie-flow-holes": Method("vtkCircleDomainLieFlow", surface="annulus"),
@@ -141,6 +144,7 @@ def flatten(points: Any,
                 "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
+                "balanced", "balanced-sphere": the same between angles and areas, see `balance` (0.5);
                 "tutte", "harmonic", "mean-value": barycentric maps;
                 "riemann", "yamabe", "lscm": conformal maps of a disk; "slim": as isometric as can be without a fold;
                 "annulus", "circle-domain": conformal maps of surfaces with boundary loops; "sphere": conformal map of
@@ -156,8 +160,8 @@ def flatten(points: Any,
                 (all but 0); (array, value) or (array, name of a label); ("sphere", x, y, z, radius) in mm, or
                 ("geodesic", x, y, z, radius). report["regions"] has the shares
     roi_blend   width over which the density passes across the borders of the regions, mm
-    balance     of "authalic" to the disk and "authalic-sphere": 1 = areas, 0 = angles, or between; one number, one per
-                vertex (n), or the name of a point array
+    balance     of "authalic", "transport", "balanced" to disk and sphere: 1 = areas, 0 = angles, or between; one
+                number, one per vertex (n), or the name of a point array
     initial     where an iteration starts: a barycentric method by name (or "riemann"), or an image (n, 2) or SurfaceMap
                 to the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
@@ -178,8 +182,7 @@ def flatten(points: Any,
     >>> map = authalic.flatten(disk)
     >>> map.image.shape, map.status, map.metrics["flipped_faces"]
     """
-    if on_not_converged not in ("warn", "raise", "ignore"):
-        raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
+    _check_policy(on_not_converged)
     method, domain = _method_and_domain(method, domain)
     algorithm = METHODS[method].make()
     mesh = to_polydata(points, faces)
@@ -196,6 +199,11 @@ def flatten(points: Any,
     return _judged(SurfaceMap.from_filter(algorithm), kind, doubts, on_not_converged)
 
 
+def _check_policy(on_not_converged):
+    if on_not_converged not in ("warn", "raise", "ignore"):
+        raise InvalidArgument(f"on_not_converged must be warn, raise or ignore; it is {on_not_converged!r}.")
+
+
 def _method_and_domain(method, domain):
     """The method, and the domain its filter is to be told; "sphere", "torus", "flat-cones" are methods of their own."""
     if method not in METHODS:
@@ -206,7 +214,7 @@ def _method_and_domain(method, domain):
 
 
 def _judged(result, kind, doubts, on_not_converged):
-    """The result, after what its filter doubted was said to the caller of flatten()."""
+    """The result, after what its filter doubted was said to the caller of the function that calls this."""
     if kind == _filters.NOT_CONVERGED:
         sentence = doubts.pop()
         if on_not_converged == "raise":
@@ -266,7 +274,8 @@ def _set_balance(algorithm, method, mesh, balance):
     if balance is None:
         return
     if not hasattr(algorithm, "SetBalanceArrayName"):
-        raise InvalidArgument(f"Method {method} has no balance; it is for authalic to the disk and to the sphere.")
+        raise InvalidArgument(f"Method {method} has no balance; it is for authalic, transport and balanced maps to the "
+                              "disk and to the sphere.")
     if isinstance(balance, str):
         return algorithm.SetBalanceArrayName(balance)
     if np.ndim(balance) == 0:
@@ -393,3 +402,62 @@ def measure_distortion(image: Any, points: Any, faces: Any = None, measure: Opti
     return Distortion(json.loads(algorithm.GetReport()), cells,
                       {"VertexAreaDistortion": done.point_arrays["VertexAreaDistortion"]},
                       {name: values for name, values in done.fields.items() if name.endswith("Histogram")})
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class BalanceCurve:
+    """What angles cost areas on one surface.
+
+    table    {column: (k,) array}, a row per balance: balance, angle_distortion, area_distortion (ideal 2),
+             angle_error_mean_degrees, flipped_faces; the same four with transport_ in front, before the finish; status
+    status   "converged" when every row is
+    report   version, status, seconds (conformal, maps: one per row, total), options
+    """
+    table: Table
+    status: str
+    report: dict[str, Any]
+
+    def __repr__(self) -> str:
+        return f"BalanceCurve({self.status}, {len(self.table['balance'])} balances)"
+
+
+def balance_curve(points: Any,
+                  faces: Any = None,
+                  balances: Optional[Sequence[float]] = None,
+                  measure: Any = None,
+                  *,
+                  roi: Any = None, roi_blend: float = 0.0,
+                  threads: int = 0,
+                  progress: Progress = None,
+                  on_not_converged: str = "warn") -> BalanceCurve:
+    """Maps a surface with several balances, and says what each does to angles and areas.
+
+    The maps are those of flatten(..., method="balanced", balance=t), to tolerances that are enough to choose t by.
+
+    points, faces  a disk or a closed surface of genus 0, as for flatten()
+    balances       each from 0 (conformal) to 1 (area-preserving), best in order; None = 0, 0.1 ... 1
+    measure, roi, roi_blend  the measure at balance 1, as for flatten()
+    threads, progress, on_not_converged  as for flatten()
+
+    Raises SurfaceError, InvalidArgument, SolverError, Cancelled, NotConverged (with the curve as .result).
+
+    >>> curve = authalic.balance_curve(surface)
+    >>> curve.table["balance"], curve.table["angle_distortion"], curve.table["area_distortion"]
+    """
+    _check_policy(on_not_converged)
+    algorithm = _classes.vtkBalanceCurve()
+    mesh = to_polydata(points, faces)
+    if balances is not None:
+        values = _arrays.numbers(balances, "balances", (None,))
+        if not len(values):
+            raise InvalidArgument("At least one balance is required; leave balances out for 0, 0.1 ... 1.")
+        for balance in values:
+            algorithm.AddBalance(balance)
+    _set_measure(algorithm, "balanced", mesh, measure)
+    mesh = _with_regions(algorithm, "balanced", mesh, roi, roi_blend)
+    _filters.configure(algorithm, threads=threads)
+    algorithm.SetInputData(mesh)
+    kind, doubts = _filters.run(algorithm, progress)
+    report = json.loads(algorithm.GetReport())["Curve"]
+    curve = BalanceCurve(table_of(algorithm.GetOutput()), report["status"], report)
+    return _judged(curve, kind, doubts, on_not_converged)
