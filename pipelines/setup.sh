@@ -16,7 +16,7 @@ authalic_required=(
   python3 python3-numpy xvfb xauth fonts-dejavu-core mricron-data
 )
 # Independent readers and oracles: tests that need a missing one skip and say so.
-authalic_optional=(python3-scipy python3-nibabel connectome-workbench libbenchmark-dev mypy doxygen dpkg-dev)
+authalic_optional=(python3-scipy python3-nibabel connectome-workbench gifti-bin nifti-bin clang libbenchmark-dev mypy doxygen dpkg-dev)
 # For the ParaView plugin, installed by the scripts that use it.
 authalic_paraview=(paraview paraview-dev libopenmpi-dev openmpi-bin libutfcpp-dev libdouble-conversion-dev libpython3-dev)
 

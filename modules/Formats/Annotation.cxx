@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <map>
 
+#include "Formats/AtomicFile.h"
 #include "Formats/ByteCursor.h"
 #include "Formats/Gifti.h"
 #include "Formats/InputFile.h"
@@ -119,8 +121,9 @@ Annotation parseAnnot(const std::string& path, const FileBytes& bytes) {
   return annotation;
 }
 
-Annotation giftiAnnotation(const std::string& path) {
-  GiftiFile file = readGifti(path);
+}  // namespace
+
+Annotation giftiAnnotation(const std::string& path, const GiftiFile& file) {
   for (const GiftiArray& array : file.arrays) {
     const bool flat =
         array.dimensions.size() == 1 || (array.dimensions.size() == 2 && array.dimensions[1] == 1);
@@ -128,7 +131,7 @@ Annotation giftiAnnotation(const std::string& path) {
       continue;
     }
     Annotation annotation;
-    annotation.regions = std::move(file.labels);
+    annotation.regions = file.labels;
     annotation.labels.reserve(array.values.size());
     for (const double value : array.values) {
       if (!(value >= -2147483648.0 && value <= 2147483647.0) || value != static_cast<std::int32_t>(value)) {
@@ -143,19 +146,89 @@ Annotation giftiAnnotation(const std::string& path) {
                     "A region per vertex is needed, but the GIFTI file has no LABEL array of that shape.");
 }
 
-}  // namespace
-
-Annotation readAnnot(const std::string& path) {
+Annotation readAnnot(const std::string& path, std::size_t vertexCount) {
   const FileBytes bytes = readBytes(path);
   const FileKind kind = recognise(bytes);
   if (kind == FileKind::Gifti) {
-    return giftiAnnotation(path);
+    GiftiFile file = readGifti(path);
+    spreadNodeIndex(path, file, vertexCount);
+    return giftiAnnotation(path, file);
   }
   if (kind != FileKind::Other) {
     throw FormatError(path,
                       std::string("An annotation is needed, but the file is ") + fileKindName(kind) + ".");
   }
   return parseAnnot(path, bytes);
+}
+
+namespace {
+
+/// Ids of regions → the colours that stand for them in the file.
+std::map<std::int32_t, std::int32_t> colorsOf(const std::string& path, const Annotation& annotation) {
+  std::map<std::int32_t, std::int32_t> colors;
+  std::map<std::int32_t, const Region*> taken;
+  for (const Region& region : annotation.regions) {
+    const auto [at, fresh] = taken.emplace(packedColour(region), &region);
+    if (!fresh || region.id < 0 || !colors.emplace(region.id, packedColour(region)).second) {
+      throw FormatError(path, "An annotation tells regions apart by colour and numbers them from 0, but region \"" +
+                                  region.name + "\" (number " + std::to_string(region.id) +
+                                  ") has a negative number, or a number or colour that another has" +
+                                  (fresh ? "" : " (\"" + at->second->name + "\")") +
+                                  "; give each its own, or write .label.gii.");
+    }
+  }
+  return colors;
+}
+
+void encodeName(FileBytes& bytes, const std::string& name) {
+  encode(bytes, static_cast<std::int32_t>(name.size() + 1), ByteOrder::Big);
+  bytes.insert(bytes.end(), name.begin(), name.end());
+  bytes.push_back(0);
+}
+
+void encodeTable(FileBytes& bytes, const std::vector<Region>& regions) {
+  std::int32_t largest = -1;
+  for (const Region& region : regions) {
+    largest = std::max(largest, region.id);
+  }
+  encode(bytes, std::int32_t{1}, ByteOrder::Big);
+  encode(bytes, std::int32_t{-2}, ByteOrder::Big);
+  encode(bytes, largest + 1, ByteOrder::Big);
+  encodeName(bytes, "authalic");
+  encode(bytes, static_cast<std::int32_t>(regions.size()), ByteOrder::Big);
+  for (const Region& region : regions) {
+    encode(bytes, region.id, ByteOrder::Big);
+    encodeName(bytes, region.name);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::int32_t part = region.rgba[i];
+      encode(bytes, i == 3 ? 255 - part : part, ByteOrder::Big);
+    }
+  }
+}
+
+}  // namespace
+
+void writeAnnot(const std::string& path, const Annotation& annotation) {
+  const auto colors = colorsOf(path, annotation);
+  const bool blackRegion =
+      std::any_of(colors.begin(), colors.end(), [](const auto& entry) { return entry.second == 0; });
+  FileBytes bytes;
+  encode(bytes, static_cast<std::int32_t>(annotation.labels.size()), ByteOrder::Big);
+  for (std::size_t i = 0; i < annotation.labels.size(); ++i) {
+    const std::int32_t label = annotation.labels[i];
+    const auto color = colors.find(label);
+    const bool none = color == colors.end();
+    if (none && (label != -1 || blackRegion)) {
+      throw FormatError(path, "Vertex " + std::to_string(i) + " has label " + std::to_string(label) +
+                                  (label != -1 ? ", which the table does not have; add it to the table."
+                                               : " (no region), which an annotation stores as black, but a region is "
+                                                 "black; give that one another colour."));
+    }
+    encode(bytes, static_cast<std::int32_t>(i), ByteOrder::Big);
+    encode(bytes, none ? 0 : color->second, ByteOrder::Big);
+  }
+  encodeTable(bytes, annotation.regions);
+  writeFileAtomically(path, bytes);
 }
 
 }  // namespace authalic

@@ -96,7 +96,10 @@ class ByteCursor {
     position_ = std::min(end + 1, all.size());
     return words;
   }
-  [[noreturn]] void fail(const std::string& what) const {
+  /// What is quoted from a file must not break the sentence or steer a terminal: control characters become blanks.
+  [[noreturn]] void fail(std::string what) const {
+    std::replace_if(
+        what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; }, ' ');
     throw FormatError(path_, what, static_cast<std::int64_t>(position_));
   }
 

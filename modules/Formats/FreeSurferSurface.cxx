@@ -98,6 +98,7 @@ VolumeGeometry parseGeometryText(ByteCursor& cursor) {
 /// Tags after the faces. A footer that cannot be followed ends the reading; the geometry is kept.
 void parseFooter(ByteCursor& cursor, SurfaceFile& surface) {
   bool realRas = false;
+  int others = 0;
   while (cursor.remaining() >= 4) {
     const auto tag = cursor.next<std::int32_t>("a tag");
     if (tag == kTagUseRealRas && cursor.remaining() >= 4) {
@@ -110,10 +111,12 @@ void parseFooter(ByteCursor& cursor, SurfaceFile& surface) {
         break;
       }
       cursor.seek(cursor.position() + static_cast<std::size_t>(length));
+      ++others;
     } else {
       break;
     }
   }
+  surface.notRead = others == 0 ? "" : std::to_string(others) + (others == 1 ? " tag" : " tags") + " of the footer";
   if (realRas) {
     surface.space = CoordinateSpace::ScannerRAS;
     surface.spaceReason = "FreeSurfer surface marked useRealRAS";
@@ -185,13 +188,14 @@ namespace {
 
 /// Scanner RAS → tkRAS: x_tk = (D P⁻¹)⁻¹ (x - c). D may be oblique but is a rotation up to rounding of its
 /// text, hence a full inverse rather than the transpose.
-std::vector<double> toTkRas(const SurfaceFile& surface) {
+std::vector<double> tkRasPoints(const SurfaceFile& surface) {
   const auto m = surface.geometry.tkRasToScanner();
   const auto minor = [&m](std::size_t r, std::size_t c) {
     const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
     return m[4 * r1 + c1] * m[4 * r2 + c2] - m[4 * r1 + c2] * m[4 * r2 + c1];
   };
   const double determinant = m[0] * minor(0, 0) + m[1] * minor(0, 1) + m[2] * minor(0, 2);
+  constexpr double grid = 1099511627776.0;  // 2^40 per mm
   std::vector<double> points(surface.points.size());
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     for (std::size_t row = 0; row < 3; ++row) {
@@ -199,7 +203,8 @@ std::vector<double> toTkRas(const SurfaceFile& surface) {
       for (std::size_t k = 0; k < 3; ++k) {
         sum += minor(k, row) * (surface.points[i + k] - m[4 * k + 3]);
       }
-      points[i + row] = sum / determinant;
+      // The change of space leaves noise of 1e-14 mm, which would show where the coordinate was 0.
+      points[i + row] = std::round(sum / determinant * grid) / grid + 0.0;  // and no -0
     }
   }
   return points;
@@ -233,10 +238,21 @@ std::string geometryText(const VolumeGeometry& g) {
 
 }  // namespace
 
-void writeFreeSurferSurface(const std::string& path, const SurfaceFile& surface) {
+void toTkRas(SurfaceFile& surface) {
+  if (surface.space == CoordinateSpace::ScannerRAS && surface.geometry.valid) {
+    surface.points = tkRasPoints(surface);
+    surface.space = CoordinateSpace::TkRAS;
+  }
+}
+
+void writeFreeSurferSurface(const std::string& path, const SurfaceFile& original) {
+  SurfaceFile surface = original;
+  if (surface.space == CoordinateSpace::LPS) {
+    toScannerRas(surface);
+  }
   const bool geometry = surface.geometry.valid && surface.space != CoordinateSpace::Unknown;
   const bool convert = geometry && surface.space == CoordinateSpace::ScannerRAS;
-  const std::vector<double> points = convert ? toTkRas(surface) : surface.points;
+  const std::vector<double> points = convert ? tkRasPoints(surface) : surface.points;
   FileBytes bytes;
   bytes.reserve(64 + 4 * (surface.points.size() + surface.faces.size()));
   encodeText(bytes,

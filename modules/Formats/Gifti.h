@@ -57,6 +57,16 @@ struct GiftiFile {
 ///         disagree, the type is complex, RGB or quadruple, or an external file is missing or too short
 [[nodiscard]] GiftiFile readGifti(const std::string& path);
 
+/// Makes dense what a NODE_INDEX array lists for some vertices: every other one-dimensional array gets one value
+/// for each of `vertexCount` vertices (NaN, of labels -1, where nothing is listed), and NODE_INDEX goes. Files
+/// without one stay as they are.
+/// @throws FormatError when `vertexCount` is 0, an index is no vertex or comes twice, or lengths differ
+void spreadNodeIndex(const std::string& path, GiftiFile& file, std::size_t vertexCount);
+
+/// The first label array of a file, with its table.
+/// @throws FormatError when there is none of one dimension or a label is no 32-bit whole number
+[[nodiscard]] Annotation giftiAnnotation(const std::string& path, const GiftiFile& file);
+
 /// Writes LittleEndian, GZipBase64Binary, RowMajorOrder with names and values in CDATA.
 /// @throws FormatError when an array is not UINT8, INT32 or FLOAT32, its dimensions and values disagree, or
 /// the file

@@ -1,11 +1,7 @@
-#include <expat.h>
-
 #include <algorithm>
 #include <cctype>
 #include <climits>
 #include <cmath>
-#include <exception>
-#include <memory>
 #include <utility>
 
 #include "Core/base/Error.h"
@@ -14,12 +10,13 @@
 #include "Formats/InputFile.h"
 #include "Formats/SurfaceParsers.h"
 #include "Formats/TextNumbers.h"
+#include "Formats/XmlReader.h"
 
 namespace authalic {
 
 namespace {
 
-using Attributes = std::map<std::string, std::string>;
+using Attributes = XmlAttributes;
 
 const std::map<std::string, int>& intentCodes() {
   static const std::map<std::string, int> codes{
@@ -47,43 +44,13 @@ const std::map<std::string, int>& typeCodes() {
   return codes;
 }
 
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  const auto end = text.find_last_not_of(" \t\r\n");
-  return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
-}
-
-/// Collects a GIFTI document from expat's events. Exceptions are kept and rethrown outside the C library.
-class GiftiParser {
+/// Collects a GIFTI document.
+class GiftiParser : private XmlReader {
  public:
-  explicit GiftiParser(const std::string& path)
-      : path_(path), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
-    XML_SetUserData(parser_.get(), this);
-    XML_SetElementHandler(parser_.get(), &GiftiParser::onStart, &GiftiParser::onEnd);
-    XML_SetCharacterDataHandler(parser_.get(), &GiftiParser::onText);
-    XML_SetEntityDeclHandler(parser_.get(), &GiftiParser::onEntity);
-  }
+  explicit GiftiParser(const std::string& path) : XmlReader(path) {}
 
   GiftiFile parse(const FileBytes& bytes) {
-    constexpr std::size_t chunk = 1U << 24;
-    std::size_t at = 0;
-    do {
-      const std::size_t count = std::min(chunk, bytes.size() - at);
-      const bool last = at + count == bytes.size();
-      const auto status = XML_Parse(parser_.get(), reinterpret_cast<const char*>(bytes.data()) + at,
-                                    static_cast<int>(count), last ? 1 : 0);
-      if (failure_) {
-        std::rethrow_exception(failure_);
-      }
-      if (status != XML_STATUS_OK) {
-        throw FormatError(path_,
-                          std::string("The XML is not well formed (") +
-                              XML_ErrorString(XML_GetErrorCode(parser_.get())) +
-                              "); the file is damaged or truncated.",
-                          XML_GetCurrentByteIndex(parser_.get()));
-      }
-      at += count;
-    } while (at < bytes.size());
+    walk({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     if (!sawRoot_) {
       throw FormatError(path_, "A GIFTI document is needed, but the XML has another root element.");
     }
@@ -91,46 +58,7 @@ class GiftiParser {
   }
 
  private:
-  static GiftiParser& self(void* data) { return *static_cast<GiftiParser*>(data); }
-
-  template <class Action>
-  void guarded(Action action) noexcept {
-    if (failure_) {
-      return;
-    }
-    try {
-      action();
-    } catch (...) {
-      failure_ = std::current_exception();
-      XML_StopParser(parser_.get(), XML_FALSE);
-    }
-  }
-
-  static void XMLCALL onStart(void* data, const XML_Char* name, const XML_Char** pairs) {
-    self(data).guarded([&] {
-      Attributes attributes;
-      for (; pairs[0] != nullptr; pairs += 2) {
-        attributes[pairs[0]] = pairs[1];
-      }
-      self(data).start(name, attributes);
-    });
-  }
-  static void XMLCALL onEnd(void* data, const XML_Char* name) {
-    self(data).guarded([&] { self(data).end(name); });
-  }
-  static void XMLCALL onText(void* data, const XML_Char* text, int length) {
-    self(data).guarded([&] { self(data).text_.append(text, static_cast<std::size_t>(length)); });
-  }
-  static void XMLCALL onEntity(void* data, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
-                               const XML_Char*, const XML_Char*, const XML_Char*) {
-    self(data).guarded([&] {
-      throw FormatError(self(data).path_,
-                        "GIFTI files define no XML entities, but this one does; it is not trusted.");
-    });
-  }
-
-  void start(const std::string& element, const Attributes& attributes) {
-    text_.clear();
+  void start(const std::string& element, const Attributes& attributes) override {
     if (!sawRoot_ && element != "GIFTI") {
       throw FormatError(path_, "A GIFTI document is needed, but the root element is <" + element + ">.");
     }
@@ -147,7 +75,7 @@ class GiftiParser {
     }
   }
 
-  void end(const std::string& element) {
+  void end(const std::string& element) override {
     if (element == "Name") {
       name_ = trimmed(text_);
     } else if (element == "Value") {
@@ -164,7 +92,6 @@ class GiftiParser {
     } else if (inArray_ && !array_.transforms.empty()) {
       endTransformPart(element);
     }
-    text_.clear();
   }
 
   void endTransformPart(const std::string& element) {
@@ -199,8 +126,6 @@ class GiftiParser {
     }
     return *value;
   }
-  std::int64_t byteIndex() const { return XML_GetCurrentByteIndex(parser_.get()); }
-
   /// The code of a name in a table, of a plain number, or -1.
   static int codeOf(const std::map<std::string, int>& codes, const std::string& name) {
     const auto found = codes.find(name);
@@ -291,13 +216,10 @@ class GiftiParser {
     inArray_ = false;
   }
 
-  const std::string& path_;
-  std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser_;
   GiftiFile file_;
   GiftiArray array_;
   GiftiPayload payload_;
-  std::string text_, name_, value_;
-  std::exception_ptr failure_;
+  std::string name_, value_;
   bool inArray_ = false;
   bool hasData_ = false;
   bool sawRoot_ = false;
@@ -401,6 +323,9 @@ SurfaceFile parseGiftiSurface(const std::string& path, const FileBytes& bytes) {
   surface.metadata = points.metadata;
   surface.geometry = volumeGeometryOf(points.metadata);
   decideSpace(points, surface);
+  if (file.arrays.size() > 2) {
+    surface.notRead = std::to_string(file.arrays.size() - 2) + " further arrays (read them as per-vertex data)";
+  }
   return surface;
 }
 

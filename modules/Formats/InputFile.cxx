@@ -112,6 +112,16 @@ void InputFile::skip(std::uint64_t count, const char* what) {
   }
 }
 
+std::vector<std::uint8_t> InputFile::readUpTo(std::size_t count) {
+  std::vector<std::uint8_t> bytes(count);
+  std::size_t have = 0;
+  for (std::size_t got = 1; got > 0 && have < count; have += got) {
+    got = readSome(bytes.data() + have, count - have);
+  }
+  bytes.resize(have);
+  return bytes;
+}
+
 std::vector<std::uint8_t> InputFile::readRest(std::uint64_t limit) {
   std::vector<std::uint8_t> bytes;
   if (!compressed_) {

@@ -29,6 +29,8 @@ class InputFile {
   [[nodiscard]] std::vector<std::uint8_t> read(std::uint64_t count, const char* what);
   /// Passes over `count` bytes, no fewer.
   void skip(std::uint64_t count, const char* what);
+  /// The next `count` bytes, or as many as there are.
+  [[nodiscard]] std::vector<std::uint8_t> readUpTo(std::size_t count);
   /// Everything that is left, at most `limit` bytes.
   [[nodiscard]] std::vector<std::uint8_t> readRest(std::uint64_t limit);
   /// Passes over the rest and checks the checksum of a gzip stream; returns the uncompressed length.

@@ -1,6 +1,9 @@
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
+#include "Formats/AtomicFile.h"
+#include "Formats/Gzip.h"
 #include "Formats/InputFile.h"
 #include "Formats/VolumeData.h"
 
@@ -116,9 +119,14 @@ VolumeFile readMgh(const std::string& path, int frame) {
   input.skip(before, "the frames before the one asked for");
   const auto voxels = input.read(frameBytes, "the voxels");
   input.skip(after, "the frames after the one asked for");
-  input.drain();
+  const std::uint64_t end = kHeaderSize + before + frameBytes + after;
+  constexpr std::uint64_t scanParameters = 20;  // TR, flip angle, TE, TI, field of view
+  const bool tagged = input.drain() > end + scanParameters;
 
   VolumeFile file;
+  file.storedType = codingName(header.coding);
+  file.notRead = tagged ? "tags" : "";
+  file.transformCode = header.goodRas ? 1 : 0;
   file.volume = decodeVoxels(voxels, header.coding, header.dimensions, header.voxelToWorld);
   file.frames = static_cast<int>(header.frames);
   file.space = header.goodRas ? CoordinateSpace::ScannerRAS : CoordinateSpace::Unknown;
@@ -126,5 +134,63 @@ VolumeFile readMgh(const std::string& path, int frame) {
                                     : "MGH without goodRAS: FreeSurfer's coronal default, true place unknown";
   return file;
 }
+
+namespace {
+
+/// Voxel sizes, direction cosines of x, y and z, and the centre, as the header holds them.
+std::array<float, 15> placeOf(const std::array<int, 3>& d, const Eigen::Matrix4d& affine) {
+  const Eigen::Matrix3d m = affine.topLeftCorner<3, 3>();
+  const Eigen::Vector3d delta = m.colwise().norm().transpose();
+  const Eigen::Vector3d center = affine.topRightCorner<3, 1>() + m * Eigen::Vector3d(d[0], d[1], d[2]) / 2;
+  std::array<float, 15> place{};
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    place[at] = static_cast<float>(delta[axis]);
+    place[12 + at] = static_cast<float>(center[axis]);
+    for (Eigen::Index row = 0; row < 3; ++row) {
+      place[3 + 3 * at + static_cast<std::size_t>(row)] = static_cast<float>(m(row, axis) / delta[axis]);
+    }
+  }
+  return place;
+}
+
+template <class T>
+void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t type) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(kHeaderSize + volume.values.size() * sizeof(T));
+  const auto put = [&bytes](auto value) { encode(bytes, value, ByteOrder::Big); };
+  put(std::int32_t{1});
+  for (const int extent : volume.dimensions) {
+    put(static_cast<std::int32_t>(extent));
+  }
+  put(std::int32_t{1});
+  put(type);
+  put(std::int32_t{0});
+  put(std::int16_t{1});
+  for (const float number : placeOf(volume.dimensions, volume.voxelToWorld)) {
+    put(number);
+  }
+  bytes.resize(kHeaderSize, 0);
+  for (const T value : volume.values) {
+    put(value);
+  }
+  const bool packed = path.back() == 'z';
+  writeFileAtomically(path, packed ? gzipped(path, bytes) : bytes);
+}
+
+}  // namespace
+
+Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine) {
+  std::vector<std::uint8_t> bytes;
+  for (const float number : placeOf(dimensions, affine)) {
+    encode(bytes, number, ByteOrder::Big);
+  }
+  const std::string path;
+  ByteCursor cursor(path, bytes);
+  return orientation(cursor, dimensions, true);
+}
+
+void writeMgh(const std::string& path, const ScalarVolume& volume) { writeMghAs(path, volume, 3); }
+void writeMgh(const std::string& path, const LabelVolume& volume) { writeMghAs(path, volume, 1); }
 
 }  // namespace authalic

@@ -8,9 +8,10 @@
 #include "Formats/ByteCursor.h"
 #include "Formats/Gifti.h"
 #include "Formats/InputFile.h"
+#include "Formats/Mz3.h"
 #include "Formats/SurfaceParsers.h"
 #include "Formats/TextNumbers.h"
-#include "Formats/VolumeFile.h"
+#include "Formats/VolumeData.h"
 
 namespace authalic {
 
@@ -64,14 +65,10 @@ bool isMetric(const GiftiArray& array) {
   return flat && array.intent != GiftiIntent::Label && array.intent != GiftiIntent::NodeIndex;
 }
 
-std::vector<float> giftiScalars(const std::string& path) {
-  const GiftiFile file = readGifti(path);
+std::vector<float> giftiScalars(const std::string& path, std::size_t vertexCount) {
+  GiftiFile file = readGifti(path);
+  spreadNodeIndex(path, file, vertexCount);
   for (const GiftiArray& array : file.arrays) {
-    if (array.intent == GiftiIntent::NodeIndex) {
-      throw FormatError(path,
-                        "One value per vertex is needed, but this file lists values for some vertices only "
-                        "(NODE_INDEX), which is not read.");
-    }
     if (isMetric(array)) {
       return {array.values.begin(), array.values.end()};
     }
@@ -79,8 +76,40 @@ std::vector<float> giftiScalars(const std::string& path) {
   throw FormatError(path, "One number per vertex is needed, but no array of the GIFTI file has that shape.");
 }
 
-std::vector<float> mghScalars(const std::string& path) {
-  const VolumeFile file = readVolume(path);
+std::vector<float> paintScalars(const std::string& path, std::size_t vertexCount) {
+  const SparseScalars paint = readPaint(path);
+  if (vertexCount == 0) {
+    throw FormatError(path, "One value per vertex is needed, but this file lists some vertices only; give the "
+                            "surface it belongs to.");
+  }
+  std::vector<float> values(vertexCount, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < paint.vertices.size(); ++i) {
+    const auto vertex = static_cast<std::size_t>(paint.vertices[i]);
+    if (vertex >= vertexCount) {
+      throw FormatError(path, "The file names vertex " + std::to_string(vertex) + ", but the surface has " +
+                                  std::to_string(vertexCount) + " vertices; it belongs to another surface.");
+    }
+    values[vertex] = paint.values[i];
+  }
+  return values;
+}
+
+std::vector<float> firstOverlay(const std::string& path, const FileBytes& bytes) {
+  Mz3File file = parseMz3(path, bytes);
+  if (file.layers.empty()) {
+    throw FormatError(path, "One number per vertex is needed, but the MZ3 file holds no overlay.");
+  }
+  return std::move(file.layers.front());
+}
+
+bool isVolumeName(const std::string& path) {
+  return isMghName(path) || endsWith(path, ".nii") || endsWith(path, ".nii.gz");
+}
+
+/// One frame; `frames` becomes the number there are.
+std::vector<float> frameScalars(const std::string& path, int frame, int& frames) {
+  const VolumeFile file = readVolume(path, frame);
+  frames = file.frames;
   const auto& d = file.dimensions();
   const auto wide = std::count_if(d.begin(), d.end(), [](int extent) { return extent > 1; });
   if (wide > 1) {
@@ -123,16 +152,31 @@ std::vector<float> parseTextScalars(const std::string& path, const FileBytes& by
 
 }  // namespace
 
-std::vector<float> readVertexScalars(const std::string& path) {
-  if (endsWith(path, ".mgh") || endsWith(path, ".mgz") || endsWith(path, ".mgh.gz")) {
-    return mghScalars(path);
+std::vector<std::vector<float>> readVertexFrames(const std::string& path) {
+  std::vector<std::vector<float>> all;
+  int frames = 1;
+  for (int frame = 0; frame < frames; ++frame) {
+    all.push_back(frameScalars(path, frame, frames));
+  }
+  return all;
+}
+
+std::vector<float> readVertexScalars(const std::string& path, std::size_t vertexCount) {
+  if (endsWith(path, ".w")) {
+    return paintScalars(path, vertexCount);
+  }
+  if (isVolumeName(path)) {
+    int frames = 1;
+    return frameScalars(path, 0, frames);
   }
   const FileBytes bytes = readBytes(path);
   switch (const FileKind kind = recognise(bytes)) {
     case FileKind::FreeSurferMorphometry:
       return parseNewMorphometry(path, bytes);
     case FileKind::Gifti:
-      return giftiScalars(path);
+      return giftiScalars(path, vertexCount);
+    case FileKind::Mz3:
+      return firstOverlay(path, bytes);
     case FileKind::Other:
       break;
     default:
@@ -140,41 +184,6 @@ std::vector<float> readVertexScalars(const std::string& path) {
           path, std::string("One number per vertex is needed, but the file is ") + fileKindName(kind) + ".");
   }
   return isOldMorphometry(bytes) ? parseOldMorphometry(path, bytes) : parseTextScalars(path, bytes);
-}
-
-std::vector<int> readLabel(const std::string& path) {
-  const FileBytes bytes = readBytes(path);
-  ByteCursor cursor(path, bytes);
-  if (bytes[0] != '#') {
-    cursor.fail("A FreeSurfer label begins with a line \"#!ascii label\", but this file does not.");
-  }
-  static_cast<void>(cursor.line());
-  const std::string countLine = cursor.line();
-  std::string_view countText = countLine;
-  const auto count = parseNumber<std::int64_t>(nextToken(countText));
-  if (!count || *count < 0) {
-    cursor.fail("The second line of a FreeSurfer label is its number of entries, but reads \"" +
-                countLine.substr(0, 40) + "\".");
-  }
-  cursor.need(static_cast<std::uint64_t>(*count), 9, "the list of entries");
-  std::vector<int> vertices;
-  vertices.reserve(static_cast<std::size_t>(*count));
-  for (std::int64_t i = 0; i < *count; ++i) {
-    const std::string line = cursor.line();
-    std::string_view rest = line;
-    const auto vertex = parseNumber<int>(nextToken(rest));
-    int numbers = 0;
-    for (; numbers < 4 && parseNumber<double>(nextToken(rest)); ++numbers) {
-    }
-    if (!vertex || *vertex < -1 || numbers < 3) {
-      cursor.fail("An entry of a FreeSurfer label is a vertex, three coordinates and a value, but entry " +
-                  std::to_string(i) + " reads \"" + line.substr(0, 60) + "\".");
-    }
-    if (*vertex >= 0) {
-      vertices.push_back(*vertex);
-    }
-  }
-  return vertices;
 }
 
 void writeMorphometry(const std::string& path, const std::vector<float>& values, int faceCount) {

@@ -1,5 +1,4 @@
 #include <nifti2_io.h>
-#include <zlib.h>
 
 #include <Eigen/LU>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <filesystem>
 
 #include "Formats/AtomicFile.h"
+#include "Formats/Gzip.h"
 #include "Formats/InputFile.h"
 #include "Formats/NiftiHeader.h"
 #include "Formats/VolumeData.h"
@@ -68,6 +68,11 @@ VolumeFile readNifti(const std::string& path, int frame) {
   file.space = header.space;
   file.spaceReason = std::move(header.spaceReason);
   file.warnings = std::move(header.warnings);
+  file.transformCode = header.transformCode;
+  file.storedType = codingName(header.coding);
+  const bool extended = !header.pair && header.dataOffset > (header.version == 1 ? 352U : 544U);
+  file.notRead = std::string(header.described ? "description" : "") + (header.described && extended ? ", " : "") +
+                 (extended ? "extensions" : "");
   return file;
 }
 
@@ -88,7 +93,7 @@ void setQform(nifti_1_header& header, const Eigen::Matrix4d& affine) {
   }
   double b, c, d, x, y, z, dx, dy, dz, qfac;
   nifti_dmat44_to_quatern(matrix, &b, &c, &d, &x, &y, &z, &dx, &dy, &dz, &qfac);
-  header.qform_code = NIFTI_XFORM_SCANNER_ANAT;
+  header.qform_code = header.sform_code;
   header.quatern_b = static_cast<float>(b);
   header.quatern_c = static_cast<float>(c);
   header.quatern_d = static_cast<float>(d);
@@ -99,7 +104,7 @@ void setQform(nifti_1_header& header, const Eigen::Matrix4d& affine) {
 }
 
 nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dimensions,
-                          const Eigen::Matrix4d& affine, int datatype) {
+                          const Eigen::Matrix4d& affine, int datatype, int transformCode) {
   nifti_1_header header{};
   header.sizeof_hdr = 348;
   header.regular = 'r';
@@ -123,7 +128,7 @@ nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dim
   header.vox_offset = 352;
   header.scl_slope = 1;
   header.xyzt_units = NIFTI_UNITS_MM;
-  header.sform_code = NIFTI_XFORM_SCANNER_ANAT;
+  header.sform_code = static_cast<short>(transformCode);
   for (int c = 0; c < 4; ++c) {
     header.srow_x[c] = static_cast<float>(affine(0, c));
     header.srow_y[c] = static_cast<float>(affine(1, c));
@@ -134,50 +139,24 @@ nifti_1_header makeHeader(const std::string& path, const std::array<int, 3>& dim
   return header;
 }
 
-/// Gzip without a time stamp, so that the same volume gives the same bytes.
-void writeCompressed(AtomicFile& file, const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  z_stream stream{};
-  if (deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw FormatError(path, "There is no memory left to compress the volume.");
-  }
-  std::vector<std::uint8_t> out(1U << 20);
-  std::size_t at = 0;
-  int code = Z_OK;
-  while (code != Z_STREAM_END) {
-    const std::size_t count = std::min<std::size_t>(bytes.size() - at, 1U << 24);
-    stream.next_in = const_cast<Bytef*>(bytes.data()) + at;
-    stream.avail_in = static_cast<uInt>(count);
-    stream.next_out = out.data();
-    stream.avail_out = static_cast<uInt>(out.size());
-    code = deflate(&stream, at + count == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-    at += count - stream.avail_in;
-    file.write(out.data(), out.size() - stream.avail_out);
-  }
-  deflateEnd(&stream);
-}
-
 template <class T>
-void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype) {
-  const nifti_1_header header = makeHeader(path, volume.dimensions, volume.voxelToWorld, datatype);
+void writeNifti(const std::string& path, const VolumeOf<T>& volume, int datatype, int transformCode) {
+  const nifti_1_header header =
+      makeHeader(path, volume.dimensions, volume.voxelToWorld, datatype, transformCode);
   std::vector<std::uint8_t> bytes(352 + volume.values.size() * sizeof(T), 0);
   std::memcpy(bytes.data(), &header, sizeof(header));
   std::memcpy(bytes.data() + 352, volume.values.data(), volume.values.size() * sizeof(T));
-  AtomicFile file(path);
-  if (path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0) {
-    writeCompressed(file, path, bytes);
-  } else {
-    file.write(bytes);
-  }
-  file.commit();
+  const bool packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
+  writeFileAtomically(path, packed ? gzipped(path, bytes) : bytes);
 }
 
 }  // namespace
 
-void writeVolume(const std::string& path, const ScalarVolume& volume) {
-  writeNifti(path, volume, DT_FLOAT32);
+void writeVolume(const std::string& path, const ScalarVolume& volume, int transformCode) {
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_FLOAT32, transformCode);
 }
-void writeVolume(const std::string& path, const LabelVolume& volume) {
-  writeNifti(path, volume, DT_INT32);
+void writeVolume(const std::string& path, const LabelVolume& volume, int transformCode) {
+  return isMghName(path) ? writeMgh(path, volume) : writeNifti(path, volume, DT_INT32, transformCode);
 }
 
 }  // namespace authalic

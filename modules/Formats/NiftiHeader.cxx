@@ -132,45 +132,6 @@ void checkDimensions(const std::string& path, const RawHeader& raw, NiftiHeader&
   }
 }
 
-VoxelType voxelTypeOf(const std::string& path, int code) {
-  switch (code) {
-    case 2:
-      return VoxelType::Uint8;
-    case 4:
-      return VoxelType::Int16;
-    case 8:
-      return VoxelType::Int32;
-    case 16:
-      return VoxelType::Float32;
-    case 64:
-      return VoxelType::Float64;
-    case 256:
-      return VoxelType::Int8;
-    case 512:
-      return VoxelType::Uint16;
-    case 768:
-      return VoxelType::Uint32;
-    case 1024:
-      return VoxelType::Int64;
-    case 1280:
-      return VoxelType::Uint64;
-    case 128:
-    case 2304:
-      throw FormatError(path,
-                        "A volume with one number per voxel is needed, but this one holds RGB colours; "
-                        "give the image that the colours were made from.");
-    case 32:
-    case 1792:
-    case 2048:
-      throw FormatError(path,
-                        "A volume of real numbers is needed, but this one is complex; give its magnitude.");
-    default:
-      break;
-  }
-  throw FormatError(path, "The NIfTI type code " + std::to_string(code) +
-                              " is not read; integers and floating-point numbers of 8 to 64 bits are.");
-}
-
 void setOffsetAndScaling(const std::string& path, const RawHeader& raw, NiftiHeader& header) {
   const double least = header.pair ? 0 : (header.version == 1 ? 352 : 544);
   if (!std::isfinite(raw.voxOffset) || raw.voxOffset < least || raw.voxOffset > 1e15) {
@@ -241,7 +202,9 @@ Affine checkedAffine(const nifti_dmat44& m, double unit) {
   return {affine.allFinite() && std::abs(determinant) > 1e-12, affine};
 }
 
-const char* codeName(int code) {
+}  // namespace
+
+const char* transformCodeName(int code) noexcept {
   switch (code) {
     case 1:
       return "scanner";
@@ -257,6 +220,8 @@ const char* codeName(int code) {
       return "unnamed";
   }
 }
+
+namespace {
 
 /// Largest distance in mm between where two affines put a corner of the volume.
 double disagreement(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b,
@@ -304,7 +269,8 @@ void orient(const std::string& path, const RawHeader& raw, const nifti_image& im
     header.space = CoordinateSpace::ScannerRAS;
     const int code = sform.valid ? raw.sformCode : raw.qformCode;
     header.spaceReason = std::string("NIfTI ") + (sform.valid ? "sform" : "qform") + ", code " +
-                         std::to_string(code) + " (" + codeName(code) + ")";
+                         std::to_string(code) + " (" + transformCodeName(code) + ")";
+    header.transformCode = code;
     return;
   }
   nifti_dmat44 sizes{};
@@ -323,6 +289,45 @@ void orient(const std::string& path, const RawHeader& raw, const nifti_image& im
 
 }  // namespace
 
+VoxelType niftiVoxelType(const std::string& path, int code) {
+  switch (code) {
+    case 2:
+      return VoxelType::Uint8;
+    case 4:
+      return VoxelType::Int16;
+    case 8:
+      return VoxelType::Int32;
+    case 16:
+      return VoxelType::Float32;
+    case 64:
+      return VoxelType::Float64;
+    case 256:
+      return VoxelType::Int8;
+    case 512:
+      return VoxelType::Uint16;
+    case 768:
+      return VoxelType::Uint32;
+    case 1024:
+      return VoxelType::Int64;
+    case 1280:
+      return VoxelType::Uint64;
+    case 128:
+    case 2304:
+      throw FormatError(path,
+                        "A volume with one number per voxel is needed, but this one holds RGB colours; "
+                        "give the image that the colours were made from.");
+    case 32:
+    case 1792:
+    case 2048:
+      throw FormatError(path,
+                        "A volume of real numbers is needed, but this one is complex; give its magnitude.");
+    default:
+      break;
+  }
+  throw FormatError(path, "The NIfTI type code " + std::to_string(code) +
+                              " is not read; integers and floating-point numbers of 8 to 64 bits are.");
+}
+
 std::uint64_t niftiHeaderSize(const std::string& path, const std::vector<std::uint8_t>& firstFour) {
   const ByteOrder order = byteOrderOf(path, firstFour.data());
   return static_cast<std::uint64_t>(decode<std::int32_t>(firstFour.data(), order));
@@ -337,10 +342,10 @@ NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uin
   const RawHeader raw = header.version == 1 ? rawHeader1(fields) : rawHeader2(fields);
   if (raw.intent >= 3000 && raw.intent < 3100) {
     throw FormatError(
-        path, "A volume is needed, but this is a CIFTI file; take it apart with wb_command -cifti-separate.");
+        path, "A volume is needed, but this is a CIFTI file, which belongs to surfaces; give it as per-vertex data.");
   }
   checkDimensions(path, raw, header);
-  header.coding.type = voxelTypeOf(path, raw.datatype);
+  header.coding.type = niftiVoxelType(path, raw.datatype);
   setOffsetAndScaling(path, raw, header);
   if (!hasVoxelSizes(fields, header.version)) {
     header.warnings.emplace_back(
@@ -349,6 +354,7 @@ NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uin
   if ((raw.units & 7) == 0) {
     header.warnings.emplace_back("The unit of length is not stated; millimetres were assumed.");
   }
+  header.described = fields.at<std::uint8_t>(header.version == 1 ? 148 : 240) != 0;
   const NiftiImage image = interpret(path, bytes, header.version);
   orient(path, raw, *image, header);
   return header;

@@ -23,6 +23,8 @@ struct NiftiHeader {
   Eigen::Matrix4d voxelToWorld = Eigen::Matrix4d::Identity();
   CoordinateSpace space = CoordinateSpace::Unknown;
   std::string spaceReason;
+  int transformCode = 0;
+  bool described = false;  ///< it has a description
   std::vector<std::string> warnings;
 };
 
@@ -30,6 +32,10 @@ struct NiftiHeader {
 /// @throws FormatError when they announce neither
 [[nodiscard]] std::uint64_t niftiHeaderSize(const std::string& path,
                                             const std::vector<std::uint8_t>& firstFour);
+
+/// The type of a NIfTI code.
+/// @throws FormatError when it is complex, RGB, binary, quadruple or unknown
+[[nodiscard]] VoxelType niftiVoxelType(const std::string& path, int code);
 
 /// Checks and interprets the bytes of a header.
 ///

@@ -85,7 +85,8 @@ SurfaceFile parseObj(const std::string& path, const FileBytes& bytes) {
 }
 
 void writeObj(const std::string& path, const SurfaceFile& surface) {
-  std::string text;
+  const std::string comment = spaceComment(surface.space);
+  std::string text = comment.empty() ? "" : "# " + comment + "\n";
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
     text += i % 3 == 0 ? "v " : " ";
     appendNumber(text, surface.points[i]);

@@ -219,8 +219,10 @@ SurfaceFile parsePly(const std::string& path, const FileBytes& bytes) {
 }
 
 void writePly(const std::string& path, const SurfaceFile& surface) {
+  const std::string comment = spaceComment(surface.space);
   const std::string header =
-      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(surface.vertexCount()) +
+      "ply\nformat binary_little_endian 1.0\n" + (comment.empty() ? "" : "comment " + comment + "\n") +
+      "element vertex " + std::to_string(surface.vertexCount()) +
       "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
       std::to_string(surface.faceCount()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   FileBytes bytes(header.begin(), header.end());

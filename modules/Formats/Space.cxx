@@ -8,6 +8,8 @@ const char* coordinateSpaceName(CoordinateSpace space) noexcept {
       return "scanner-ras";
     case CoordinateSpace::TkRAS:
       return "tkras";
+    case CoordinateSpace::LPS:
+      return "lps";
     case CoordinateSpace::Unknown:
       break;
   }

@@ -12,9 +12,10 @@ enum class CoordinateSpace {
   Unknown,     ///< the file does not say; sampling a volume is refused unless the caller asserts a space
   ScannerRAS,  ///< millimetres; x right, y anterior, z superior
   TkRAS,       ///< FreeSurfer "surface RAS"; needs the volume geometry to become ScannerRAS
+  LPS,         ///< scanner millimetres with x to the left and y to the back, as ITK and 3D Slicer write
 };
 
-/// "unknown", "scanner-ras", "tkras".
+/// "unknown", "scanner-ras", "tkras", "lps".
 [[nodiscard]] const char* coordinateSpaceName(CoordinateSpace space) noexcept;
 
 /// FreeSurfer's volume geometry: the footer of a surface, VolGeom of GIFTI, the header of MGH.

@@ -1,5 +1,6 @@
 #include "Formats/SurfaceFile.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -22,8 +23,10 @@ FileKind recogniseMagicFfffff(const FileBytes& bytes) {
   if (bytes.size() >= 15) {
     const auto vertices = decode<std::int32_t>(bytes.data() + 3, ByteOrder::Big);
     const auto values = decode<std::int32_t>(bytes.data() + 11, ByteOrder::Big);
-    const auto expected = 15 + 4 * static_cast<std::int64_t>(vertices) * values;
-    if (vertices > 0 && values > 0 && expected == static_cast<std::int64_t>(bytes.size())) {
+    const auto numbers = static_cast<std::int64_t>((bytes.size() - 15) / 4);
+    const bool whole = bytes.size() % 4 == 15 % 4;
+    // Divided, because the product of two counts from a file need not fit.
+    if (vertices > 0 && values > 0 && whole && numbers % vertices == 0 && numbers / vertices == values) {
       return FileKind::FreeSurferMorphometry;
     }
   }
@@ -61,6 +64,9 @@ FileKind recognise(const FileBytes& bytes) {
         return FileKind::Other;
     }
   }
+  if (bytes.size() >= 16 && bytes[0] == 'M' && bytes[1] == 'Z' && bytes[3] == 0) {
+    return FileKind::Mz3;
+  }
   if (contains(bytes, "<GIFTI") || contains(bytes, "<!DOCTYPE GIFTI")) {
     return FileKind::Gifti;
   }
@@ -89,6 +95,8 @@ const char* fileKindName(FileKind kind) noexcept {
       return "an OFF file";
     case FileKind::Ply:
       return "a PLY file";
+    case FileKind::Mz3:
+      return "an MZ3 file";
     case FileKind::Other:
       break;
   }
@@ -110,6 +118,41 @@ void checkFaceIndices(const std::string& path, const SurfaceFile& surface) {
   }
 }
 
+CoordinateSpace spaceComment(const std::string& header) {
+  for (const CoordinateSpace space : {CoordinateSpace::ScannerRAS, CoordinateSpace::LPS}) {
+    if (header.find(spaceComment(space)) != std::string::npos) {
+      return space;
+    }
+  }
+  return CoordinateSpace::Unknown;
+}
+
+const char* spaceComment(CoordinateSpace space) noexcept {
+  switch (space) {
+    case CoordinateSpace::ScannerRAS:
+      return "SPACE=RAS";
+    case CoordinateSpace::LPS:
+      return "SPACE=LPS";
+    default:
+      return "";
+  }
+}
+
+namespace {
+
+/// The comment stands in the first lines.
+void readSpaceComment(const FileBytes& bytes, SurfaceFile& surface) {
+  constexpr std::ptrdiff_t header = 400;
+  const auto length = std::min(static_cast<std::ptrdiff_t>(bytes.size()), header);
+  const CoordinateSpace space = spaceComment(std::string(bytes.begin(), bytes.begin() + length));
+  if (space != CoordinateSpace::Unknown) {
+    surface.space = space;
+    surface.spaceReason = std::string("comment ") + spaceComment(space) + " in the header";
+  }
+}
+
+}  // namespace
+
 SurfaceFile readSurface(const std::string& path) {
   const FileBytes bytes = readBytes(path);
   const FileKind kind = recognise(bytes);
@@ -130,16 +173,45 @@ SurfaceFile readSurface(const std::string& path) {
     case FileKind::Ply:
       surface = parsePly(path, bytes);
       break;
+    case FileKind::Mz3:
+      surface = parseMz3Surface(path, bytes);
+      break;
+    case FileKind::FreeSurferPatch:
+      throw FormatError(path,
+                        "A surface with faces is needed, but this is a FreeSurfer patch, which takes them from the "
+                        "surface it was cut from; name that surface too (--whole, WholeFileName).");
     default:
       if (kind != FileKind::Other || !isObjName(path)) {
         throw FormatError(
-            path, std::string("A surface (FreeSurfer, GIFTI, OFF, PLY or OBJ) is needed, but the file is ") +
+            path, std::string("A surface (FreeSurfer, GIFTI, MZ3, OFF, PLY or OBJ) is needed, but the file is ") +
                       fileKindName(kind) + ".");
       }
       surface = parseObj(path, bytes);
   }
+  if (kind == FileKind::Off || kind == FileKind::Ply || kind == FileKind::Other) {
+    readSpaceComment(bytes, surface);
+  }
   checkFaceIndices(path, surface);
   return surface;
+}
+
+namespace {
+
+/// x and y to the other side: LPS to RAS and back.
+void mirrorTwice(std::vector<double>& points) {
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    points[i] = -points[i];
+    points[i + 1] = -points[i + 1];
+  }
+}
+
+}  // namespace
+
+void toLps(SurfaceFile& surface) {
+  if (surface.space == CoordinateSpace::ScannerRAS) {
+    mirrorTwice(surface.points);
+    surface.space = CoordinateSpace::LPS;
+  }
 }
 
 void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
@@ -161,6 +233,9 @@ void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
             m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
       }
     }
+  }
+  if (space == CoordinateSpace::LPS) {
+    mirrorTwice(surface.points);
   }
   if (assume) {
     surface.spaceReason = std::string("asserted by the user as ") + coordinateSpaceName(space);

@@ -10,6 +10,8 @@
 
 namespace authalic {
 
+struct Mz3File;
+
 using FileBytes = std::vector<std::uint8_t>;
 
 /// What the first bytes say a file is.
@@ -21,6 +23,7 @@ enum class FileKind {
   Gifti,
   Off,
   Ply,
+  Mz3,
   Other
 };
 
@@ -32,6 +35,8 @@ enum class FileKind {
 [[nodiscard]] SurfaceFile parseFreeSurferTriangles(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseFreeSurferQuads(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseGiftiSurface(const std::string& path, const FileBytes& bytes);
+[[nodiscard]] SurfaceFile parseMz3Surface(const std::string& path, const FileBytes& bytes);
+[[nodiscard]] Mz3File parseMz3(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseOff(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parsePly(const std::string& path, const FileBytes& bytes);
 [[nodiscard]] SurfaceFile parseObj(const std::string& path, const FileBytes& bytes);

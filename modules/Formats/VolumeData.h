@@ -24,6 +24,9 @@ struct VoxelCoding {
   double inter = 0;
 };
 
+/// "int16", "uint8 with scaling" …
+[[nodiscard]] std::string codingName(const VoxelCoding& coding);
+
 /// Converts bytes to a volume, a LabelVolume when that is exact.
 [[nodiscard]] std::variant<ScalarVolume, LabelVolume> decodeVoxels(const std::vector<std::uint8_t>& bytes,
                                                                    const VoxelCoding& coding,
@@ -32,6 +35,12 @@ struct VoxelCoding {
 
 [[nodiscard]] VolumeFile readNifti(const std::string& path, int frame);
 [[nodiscard]] VolumeFile readMgh(const std::string& path, int frame);
+
+void writeMgh(const std::string& path, const ScalarVolume& volume);
+void writeMgh(const std::string& path, const LabelVolume& volume);
+
+/// The affine as the single-precision fields of an MGH header give it back.
+[[nodiscard]] Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine);
 
 /// @throws FormatError unless 0 ≤ frame < frames
 void checkFrame(const std::string& path, int frame, std::int64_t frames);

@@ -1,5 +1,6 @@
 #include "Formats/VolumeFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -103,6 +104,18 @@ int voxelSize(VoxelType type) noexcept {
   return 0;
 }
 
+std::string codingName(const VoxelCoding& coding) {
+  constexpr std::array<const char*, 11> names{"none",  "uint8",  "int8",  "int16",   "uint16", "int32",
+                                              "uint32", "int64", "uint64", "float32", "float64"};
+  const bool scaled = coding.slope != 1 || coding.inter != 0;
+  return std::string(names[static_cast<std::size_t>(coding.type)]) + (scaled ? " with scaling" : "");
+}
+
+Eigen::Matrix4d storedAffine(const std::string& path, const std::array<int, 3>& dimensions,
+                             const Eigen::Matrix4d& affine) {
+  return isMghName(path) ? mghAffine(dimensions, affine) : affine.cast<float>().cast<double>();
+}
+
 std::variant<ScalarVolume, LabelVolume> decodeVoxels(const std::vector<std::uint8_t>& bytes,
                                                      const VoxelCoding& coding,
                                                      const std::array<int, 3>& dimensions,
@@ -172,12 +185,20 @@ LabelVolume VolumeFile::labels(const std::string& path) const {
   return result;
 }
 
+bool isMghName(const std::string& path) {
+  return endsWith(path, ".mgz") || endsWith(path, ".mgh") || endsWith(path, ".mgh.gz");
+}
+
+bool isNiftiName(const std::string& path) {
+  const std::array<const char*, 6> endings{".nii", ".nii.gz", ".hdr", ".img", ".hdr.gz", ".img.gz"};
+  return std::any_of(endings.begin(), endings.end(), [&path](const char* end) { return endsWith(path, end); });
+}
+
 VolumeFile readVolume(const std::string& path, int frame) {
-  if (endsWith(path, ".mgz") || endsWith(path, ".mgh") || endsWith(path, ".mgh.gz")) {
+  if (isMghName(path)) {
     return readMgh(path, frame);
   }
-  if (endsWith(path, ".nii") || endsWith(path, ".nii.gz") || endsWith(path, ".hdr") ||
-      endsWith(path, ".img") || endsWith(path, ".hdr.gz") || endsWith(path, ".img.gz")) {
+  if (isNiftiName(path)) {
     return readNifti(path, frame);
   }
   const auto start = InputFile(path).read(4, "the header of a volume");

@@ -22,6 +22,9 @@ struct VolumeFile {
   CoordinateSpace space =
       CoordinateSpace::Unknown;  ///< ScannerRAS, or Unknown when the file does not orient itself
   std::string spaceReason;
+  int transformCode = 1;    ///< NIfTI's: 1 scanner, 2 aligned, 3 Talairach, 4 MNI 152, 5 template; 0 unknown
+  std::string storedType;   ///< "int16", "float32", "uint8 with scaling" …
+  std::string notRead;      ///< what else is in the file: "description, extensions"; empty when there is nothing
   std::vector<std::string> warnings;  ///< sform and qform disagree, no units, …
 
   [[nodiscard]] bool isInteger() const noexcept { return std::holds_alternative<LabelVolume>(volume); }
@@ -51,10 +54,21 @@ struct VolumeFile {
 ///         contradicts itself, the frame does not exist, or the type is RGB, complex, binary or quadruple
 [[nodiscard]] VolumeFile readVolume(const std::string& path, int frame = 0);
 
-/// NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
-/// orthogonal, with code 1 (scanner). Affines become 32-bit. Written whole or not at all.
-/// @throws FormatError when a dimension exceeds 32767 or the file cannot be written
-void writeVolume(const std::string& path, const ScalarVolume& volume);
-void writeVolume(const std::string& path, const LabelVolume& volume);
+/// A name that ends in .mgh or .mgz (gzipped): MGH, float32 or int32, goodRAS set, the axes as direction cosines.
+/// Any other: NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
+/// orthogonal, both with `transformCode`. Affines become 32-bit. Written whole or not at all.
+/// @throws FormatError when a dimension exceeds 32767 (NIfTI) or the file cannot be written
+void writeVolume(const std::string& path, const ScalarVolume& volume, int transformCode = 1);
+void writeVolume(const std::string& path, const LabelVolume& volume, int transformCode = 1);
+
+/// The affine that a reader gets back from a file of that name.
+[[nodiscard]] Eigen::Matrix4d storedAffine(const std::string& path, const std::array<int, 3>& dimensions,
+                                           const Eigen::Matrix4d& affine);
+/// Whether the name is that of a NIfTI file: .nii, .hdr or .img, gzipped or not.
+[[nodiscard]] bool isNiftiName(const std::string& path);
+/// Whether the name ends in .mgh, .mgz or .mgh.gz.
+[[nodiscard]] bool isMghName(const std::string& path);
+/// "scanner", "MNI 152" … for a NIfTI transform code.
+[[nodiscard]] const char* transformCodeName(int code) noexcept;
 
 }  // namespace authalic

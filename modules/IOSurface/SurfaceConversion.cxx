@@ -1,6 +1,7 @@
 #include "SurfaceConversion.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
@@ -10,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -31,7 +33,7 @@ constexpr const char* kMetadata[] = {"AnatomicalStructurePrimary", "AnatomicalSt
                                      "GeometricType", "TopologicalType", "Name"};
 
 CoordinateSpace spaceNamed(const std::string& name) {
-  for (const auto space : {CoordinateSpace::ScannerRAS, CoordinateSpace::TkRAS}) {
+  for (const auto space : {CoordinateSpace::ScannerRAS, CoordinateSpace::TkRAS, CoordinateSpace::LPS}) {
     if (name == coordinateSpaceName(space)) {
       return space;
     }
@@ -193,6 +195,40 @@ std::vector<Region> toRegions(vtkDataObject* object, const std::string& array) {
     regions.push_back(std::move(region));
   }
   return regions;
+}
+
+void mirrorVectors(vtkPolyData* surface) {
+  for (vtkDataSetAttributes* data : {static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+                                     static_cast<vtkDataSetAttributes*>(surface->GetCellData())}) {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+      vtkDataArray* array = data->GetArray(i);
+      if (!array || array->GetNumberOfComponents() != 3 ||
+          (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE)) {
+        continue;
+      }
+      const auto mirrored = vtk::TakeSmartPointer(array->NewInstance());
+      mirrored->DeepCopy(array);
+      for (vtkIdType t = 0; t < array->GetNumberOfTuples(); ++t) {
+        mirrored->SetComponent(t, 0, -array->GetComponent(t, 0));
+        mirrored->SetComponent(t, 1, -array->GetComponent(t, 1));
+      }
+      data->AddArray(mirrored);
+    }
+  }
+}
+
+Eigen::Matrix4d affineOf(vtkImageData* volume) {
+  Eigen::Matrix4d affine = Eigen::Matrix4d::Identity();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int row = 0; row < 3; ++row) {
+      affine(row, axis) = volume->GetDirectionMatrix()->GetElement(row, axis) * volume->GetSpacing()[axis];
+    }
+    affine(axis, 3) = volume->GetOrigin()[axis];
+  }
+  const int* extent = volume->GetExtent();
+  const Eigen::Vector4d first(extent[0], extent[2], extent[4], 1);
+  affine.col(3) = affine * first;
+  return affine;
 }
 
 void setVolume(vtkImageData* output, const ScalarVolume& volume) {

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include <Eigen/Core>
+
 #include "Core/imaging/Volume.h"
 #include "Formats/Morphometry.h"
 #include "Formats/SurfaceFile.h"
@@ -28,6 +30,10 @@ VTKAUTHALICIOSURFACE_EXPORT void setSurface(vtkPolyData* output, const SurfaceFi
 /// The space, geometry and metadata of a data object's field data; no points, no faces.
 [[nodiscard]] VTKAUTHALICIOSURFACE_EXPORT SurfaceFile spaceFields(vtkDataObject* object);
 
+/// Changes the sign of x and y of every floating-point array of three components (normals, other coordinates), as
+/// between RAS and LPS.
+VTKAUTHALICIOSURFACE_EXPORT void mirrorVectors(vtkPolyData* surface);
+
 /// The points alone, from and to VTK.
 VTKAUTHALICIOSURFACE_EXPORT void copyPoints(vtkPolyData* from, SurfaceFile& to);
 VTKAUTHALICIOSURFACE_EXPORT void setPoints(vtkPolyData* output, const SurfaceFile& surface);
@@ -47,5 +53,8 @@ VTKAUTHALICIOSURFACE_EXPORT void setRegions(vtkDataObject* output, const std::st
 /// transforms still hold.
 VTKAUTHALICIOSURFACE_EXPORT void setVolume(vtkImageData* output, const ScalarVolume& volume);
 VTKAUTHALICIOSURFACE_EXPORT void setVolume(vtkImageData* output, const LabelVolume& volume);
+
+/// Voxel (i, j, k) of the extent from 0 → physical coordinates.
+[[nodiscard]] VTKAUTHALICIOSURFACE_EXPORT Eigen::Matrix4d affineOf(vtkImageData* volume);
 
 }  // namespace authalic

@@ -19,12 +19,14 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "Core/base/Error.h"
 #include "Formats/AtomicFile.h"
 #include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
+#include "Formats/SurfaceFile.h"
+#include "FieldArrays.h"
+#include "FileNames.h"
 #include "LegacyVtkGate.h"
 #include "VtpGate.h"
 
@@ -196,17 +198,6 @@ void runWriter(Writer* writer, const std::string& path, vtkPolyData* surface) {
 
 }  // namespace
 
-std::string extensionOf(const std::string& path) {
-  std::string name = path.substr(path.find_last_of('/') + 1);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) {
-    name.resize(name.size() - 3);
-  }
-  const auto dot = name.rfind('.');
-  return dot == std::string::npos ? std::string() : name.substr(dot);
-}
-
 bool isVtkSurfaceName(const std::string& path) {
   const std::string extension = extensionOf(path);
   return extension == ".vtp" || extension == ".vtk" || extension == ".stl";
@@ -227,6 +218,20 @@ void readVtkSurface(const std::string& path, vtkPolyData* output) {
   toDoublePoints(output);
 }
 
+namespace {
+
+/// "Authalic. SPACE=RAS", as 3D Slicer says it.
+std::string headerOf(vtkPolyData* surface) {
+  const std::string name = textField(surface, "CoordinateSpace");
+  const char* comment = "";
+  for (const CoordinateSpace space : {CoordinateSpace::ScannerRAS, CoordinateSpace::LPS}) {
+    comment = name == coordinateSpaceName(space) ? spaceComment(space) : comment;
+  }
+  return std::string("Authalic. ") + comment;
+}
+
+}  // namespace
+
 void writeVtkSurface(const std::string& path, vtkPolyData* surface) {
   const std::string extension = extensionOf(path);
   if (extension == ".vtp") {
@@ -236,10 +241,12 @@ void writeVtkSurface(const std::string& path, vtkPolyData* surface) {
     vtkNew<vtkPolyDataWriter> writer;
     writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
     writer->SetFileTypeToBinary();
+    writer->SetHeader(headerOf(surface).c_str());
     runWriter(writer.Get(), path, surface);
   } else {
     vtkNew<vtkSTLWriter> writer;
     writer->SetFileTypeToBinary();
+    writer->SetHeader(headerOf(surface).c_str());
     runWriter(writer.Get(), path, surface);
   }
 }

@@ -22,7 +22,4 @@ void readVtkSurface(const std::string& path, vtkPolyData* output);
 /// @throws FormatError
 void writeVtkSurface(const std::string& path, vtkPolyData* surface);
 
-/// The last part of a name from its dot, in small letters, without .gz.
-[[nodiscard]] std::string extensionOf(const std::string& path);
-
 }  // namespace authalic

@@ -1,14 +1,24 @@
 #include "vtkSurfaceFileReader.h"
 
+#include <vtkFieldData.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <optional>
 
 #include "Core/base/Error.h"
 #include "ErrorCode.h"
+#include "FieldArrays.h"
+#include "FileNames.h"
+#include "Formats/FileContent.h"
+#include "Formats/FreeSurferPatch.h"
+#include "Formats/InputFile.h"
+#include "Formats/Mz3.h"
 #include "SurfaceConversion.h"
 #include "VtkSurfaceFormats.h"
 
@@ -20,6 +30,7 @@ vtkSurfaceFileReader::vtkSurfaceFileReader() {
 
 vtkSurfaceFileReader::~vtkSurfaceFileReader() {
   this->SetFileName(nullptr);
+  this->SetWholeFileName(nullptr);
 }
 
 namespace {
@@ -32,17 +43,24 @@ std::optional<CoordinateSpace> asserted(int assumeSpace) {
       return CoordinateSpace::ScannerRAS;
     case vtkSurfaceFileReader::TK_RAS:
       return CoordinateSpace::TkRAS;
+    case vtkSurfaceFileReader::LPS:
+      return CoordinateSpace::LPS;
     default:
       return std::nullopt;
   }
 }
 
-/// What a file of VTK's own formats says in its field data; other formats say nothing.
+/// What a file of VTK's own formats says in its field data, or in its header as 3D Slicer does.
 authalic::SurfaceFile statedSpace(vtkPolyData* surface, const std::string& path) {
   authalic::SurfaceFile stated = authalic::spaceFields(surface);
-  if (stated.space == CoordinateSpace::Unknown) {
-    stated.spaceReason = authalic::extensionOf(path) + " file without a field CoordinateSpace";
+  if (stated.space != CoordinateSpace::Unknown) {
+    return stated;
   }
+  const auto start = authalic::InputFile(path).readUpTo(256);
+  stated.space = authalic::spaceComment(std::string(start.begin(), start.end()));
+  stated.spaceReason = stated.space == CoordinateSpace::Unknown
+                           ? authalic::extensionOf(path) + " file without a field CoordinateSpace"
+                           : std::string("comment ") + authalic::spaceComment(stated.space) + " in the header";
   return stated;
 }
 
@@ -57,6 +75,111 @@ void requireFinitePoints(vtkPolyData* surface, const std::string& path) {
   }
 }
 
+/// .vtp, .vtk and .stl.
+void readWithVtk(const std::string& path, std::optional<CoordinateSpace> assumed, vtkPolyData* output) {
+  authalic::readVtkSurface(path, output);
+  requireFinitePoints(output, path);
+  authalic::SurfaceFile surface = statedSpace(output, path);
+  const CoordinateSpace space = assumed.value_or(surface.space);
+  const bool moves = space == CoordinateSpace::TkRAS || space == CoordinateSpace::LPS;
+  if (moves) {
+    authalic::copyPoints(output, surface);
+  }
+  authalic::toScannerRas(surface, assumed);
+  if (moves) {
+    authalic::setPoints(output, surface);
+  }
+  if (space == CoordinateSpace::LPS) {
+    authalic::mirrorVectors(output);
+  }
+  authalic::setSpaceFields(output, surface);
+}
+
+/// The surface of a patch, in the space of the patch.
+authalic::SurfaceFile wholeSurface(const std::string& path) {
+  const bool vtk = authalic::isVtkSurfaceName(path);
+  vtkNew<vtkPolyData> polyData;
+  if (vtk) {
+    readWithVtk(path, std::nullopt, polyData);
+  }
+  authalic::SurfaceFile whole = vtk ? authalic::toSurfaceFile(polyData) : authalic::readSurface(path);
+  if (vtk || authalic::extensionOf(path) == ".gii") {
+    authalic::toTkRas(whole);  // where FreeSurfer keeps patches of the surface that this one was made from
+  }
+  return whole;
+}
+
+void readPatchOf(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
+                 vtkPolyData* output) {
+  if (!whole || !*whole) {
+    throw authalic::InvalidArgument(
+        path +
+        ": The surface that a FreeSurfer patch was cut from is required, because the "
+        "patch has no faces of its own; name it (WholeFileName, --whole).");
+  }
+  const authalic::PatchFile patch = authalic::readPatch(path);
+  authalic::SurfaceFile surface = authalic::patchSurface(path, patch, wholeSurface(whole));
+  authalic::toScannerRas(surface, assumed);
+  authalic::setSurface(output, surface);
+  authalic::addIds(output->GetPointData(), "OriginalPointIds", patch.vertices);
+  authalic::addArray(output->GetPointData(), "PatchBorder",
+                     std::vector<int>(patch.border.begin(), patch.border.end()));
+}
+
+void addMz3Arrays(const std::string& path, vtkPolyData* output) {
+  const authalic::Mz3File file = authalic::readMz3(path);
+  for (std::size_t i = 0; i < file.layers.size(); ++i) {
+    authalic::addArray(output->GetPointData(), ("Overlay" + (i == 0 ? "" : std::to_string(i + 1))).c_str(),
+                       file.layers[i]);
+  }
+  if (file.colors.empty()) {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(4);
+  for (const auto& color : file.colors) {
+    colors->InsertNextTypedTuple(color.data());
+  }
+  output->GetPointData()->AddArray(colors);
+}
+
+/// Metadata that the output has no field for.
+std::string otherMetadata(const authalic::SurfaceFile& surface, vtkPolyData* output) {
+  std::string names;
+  for (const auto& entry : surface.metadata) {
+    const bool geometry = entry.first.compare(0, 7, "VolGeom") == 0;
+    if (!geometry && !output->GetFieldData()->HasArray(entry.first.c_str())) {
+      names += (names.empty() ? "metadata " : ", ") + entry.first;
+    }
+  }
+  return names;
+}
+
+/// Returns what was passed over.
+std::string readAny(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
+                    vtkPolyData* output) {
+  if (authalic::isVtkSurfaceName(path)) {
+    readWithVtk(path, assumed, output);
+    return "";
+  }
+  std::string notRead;
+  if (authalic::contentOf(path) == authalic::FileContent::Patch) {
+    readPatchOf(path, whole, assumed, output);
+  } else {
+    authalic::SurfaceFile surface = authalic::readSurface(path);
+    authalic::toScannerRas(surface, assumed);
+    authalic::setSurface(output, surface);
+    const std::string metadata = otherMetadata(surface, output);
+    notRead = surface.notRead + (surface.notRead.empty() || metadata.empty() ? "" : ", ") + metadata;
+    if (authalic::extensionOf(path) == ".mz3") {
+      addMz3Arrays(path, output);
+    }
+  }
+  requireFinitePoints(output, path);
+  return notRead;
+}
+
 }  // namespace
 
 void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector* outputs,
@@ -64,27 +187,9 @@ void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector*
   if (!this->FileName || !*this->FileName) {
     throw authalic::InvalidArgument("A file to read is needed; call SetFileName.");
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const auto space = asserted(this->AssumeSpace);
-  if (!authalic::isVtkSurfaceName(this->FileName)) {
-    authalic::SurfaceFile surface = authalic::readSurface(this->FileName);
-    authalic::toScannerRas(surface, space);
-    authalic::setSurface(output, surface);
-    requireFinitePoints(output, this->FileName);
-    return;
-  }
-  authalic::readVtkSurface(this->FileName, output);
-  requireFinitePoints(output, this->FileName);
-  authalic::SurfaceFile surface = statedSpace(output, this->FileName);
-  const bool moves = space.value_or(surface.space) == CoordinateSpace::TkRAS;
-  if (moves) {
-    authalic::copyPoints(output, surface);
-  }
-  authalic::toScannerRas(surface, space);
-  if (moves) {
-    authalic::setPoints(output, surface);
-  }
-  authalic::setSpaceFields(output, surface);
+  this->NotRead.clear();
+  this->NotRead = readAny(this->FileName, this->WholeFileName, asserted(this->AssumeSpace),
+                          vtkPolyData::GetData(outputs));
 }
 
 int vtkSurfaceFileReader::RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -97,5 +202,7 @@ int vtkSurfaceFileReader::RequestData(vtkInformation* request, vtkInformationVec
 void vtkSurfaceFileReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "WholeFileName: " << (this->WholeFileName ? this->WholeFileName : "(none)") << "\n";
+  os << indent << "NotRead: " << this->NotRead << "\n";
   os << indent << "AssumeSpace: " << this->AssumeSpace << "\n";
 }

@@ -2,12 +2,15 @@
  * @class vtkSurfaceFileReader
  * @brief Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
  *
- * FreeSurfer, GIFTI (.gii, .gii.gz), OFF, PLY and OBJ are read by Authalic's own readers, .vtp, legacy .vtk and .stl by
- * VTK's. Polygons and strips become triangles, lines and vertices are dropped, equal points of STL are merged.
+ * FreeSurfer, GIFTI (.gii, .gii.gz), MZ3, OFF, PLY and OBJ are read by Authalic's own readers, .vtp, legacy .vtk and
+ * .stl by VTK's. Polygons and strips become triangles, lines and vertices are dropped, equal points of STL are
+ * merged. A FreeSurfer patch takes its faces from the surface it was cut from, WholeFileName.
  *
  * Output (port 0, vtkPolyData): points in double precision, triangles in the order of the file, the arrays of .vtp
- * and .vtk. Points are brought to scanner RAS mm when the file states its space or AssumeSpace asserts it, by the full
- * formula x = D P⁻¹ x_tk + c_ras; otherwise they stay as they are and CoordinateSpace is "unknown".
+ * and .vtk, overlays of .mz3 as `Overlay`, `Overlay2` … (float) and its colours as `Colors` (4 unsigned chars), of a
+ * patch `OriginalPointIds` and `PatchBorder` (int, 1 on the border). Points are brought to scanner RAS mm when the
+ * file states its space or AssumeSpace asserts it, tkRAS by the full formula x = D P⁻¹ x_tk + c_ras; otherwise they
+ * stay as they are and CoordinateSpace is "unknown".
  *
  * | field data | type | meaning |
  * |---|---|---|
@@ -25,6 +28,8 @@
 #include "vtkAuthalicIOSurfaceModule.h" // for export macro
 #include "vtkSurfaceAlgorithm.h"
 
+#include <string> // for what was not read
+
 class VTKAUTHALICIOSURFACE_EXPORT vtkSurfaceFileReader : public vtkSurfaceAlgorithm
 {
 public:
@@ -36,7 +41,8 @@ public:
   {
     AS_STATED = 0,
     SCANNER_RAS = 1,
-    TK_RAS = 2
+    TK_RAS = 2,
+    LPS = 3
   };
 
   ///@{
@@ -47,13 +53,24 @@ public:
 
   ///@{
   /** The space to take the coordinates to be in whatever the file says: AS_STATED (0, believe the file; default),
-   * SCANNER_RAS (1), TK_RAS (2; the file must carry the volume geometry). */
-  vtkSetClampMacro(AssumeSpace, int, AS_STATED, TK_RAS);
+   * SCANNER_RAS (1), TK_RAS (2; the file must carry the volume geometry), LPS (3). */
+  vtkSetClampMacro(AssumeSpace, int, AS_STATED, LPS);
   vtkGetMacro(AssumeSpace, int);
   void SetAssumeSpaceToAsStated() { this->SetAssumeSpace(AS_STATED); }
   void SetAssumeSpaceToScannerRAS() { this->SetAssumeSpace(SCANNER_RAS); }
   void SetAssumeSpaceToTkRAS() { this->SetAssumeSpace(TK_RAS); }
+  void SetAssumeSpaceToLPS() { this->SetAssumeSpace(LPS); }
   ///@}
+
+  ///@{
+  /** The surface that a FreeSurfer patch was cut from; not used for other files. Default none. */
+  vtkSetFilePathMacro(WholeFileName);
+  vtkGetFilePathMacro(WholeFileName);
+  ///@}
+
+  /** What else the last file held that the output does not: tags, further arrays, metadata of other names. Empty when
+   * nothing. */
+  const char* GetNotRead() const { return this->NotRead.c_str(); }
 
 protected:
   vtkSurfaceFileReader();
@@ -63,7 +80,9 @@ protected:
   void Compute(vtkInformationVector**, vtkInformationVector*, const authalic::Execution&) override;
 
   char* FileName = nullptr;
+  char* WholeFileName = nullptr;
   int AssumeSpace = AS_STATED;
+  std::string NotRead;
 
 private:
   vtkSurfaceFileReader(const vtkSurfaceFileReader&) = delete;

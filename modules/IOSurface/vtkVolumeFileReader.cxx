@@ -53,6 +53,11 @@ void addFields(const authalic::VolumeFile& file, vtkImageData* output) {
   authalic::addField(output, "CoordinateSpace", std::string(authalic::coordinateSpaceName(file.space)));
   authalic::addField(output, "CoordinateSpaceReason", file.spaceReason);
   authalic::addField(output, "Frames", file.frames);
+  authalic::addField(output, "TransformCode", file.transformCode);
+  authalic::addField(output, "StoredType", file.storedType);
+  if (!file.notRead.empty()) {
+    authalic::addField(output, "NotRead", file.notRead);
+  }
   if (file.warnings.empty()) {
     return;
   }

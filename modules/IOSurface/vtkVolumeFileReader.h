@@ -12,6 +12,9 @@
  * | CoordinateSpace | text | "scanner-ras", or "unknown" when the file does not orient itself |
  * | CoordinateSpaceReason | text | which transform was used |
  * | Frames | int | frames in the file |
+ * | TransformCode | int | NIfTI's code of the transform used: 1 scanner, 2 aligned, 3 Talairach, 4 MNI 152, 5 template; 0 none |
+ * | StoredType | text | type of the voxels in the file: int16, uint8 with scaling … |
+ * | NotRead | text | what else the file holds: description, extensions, tags (absent when nothing) |
  * | Warnings | text[] | sform and qform disagree, units not stated … (absent when there is none) |
  *
  * The file is read once, when the pipeline asks for its information, and handed on by the request for data. On failure

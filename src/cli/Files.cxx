@@ -19,6 +19,7 @@
 #include <vtkVertexDataReader.h>
 #include <vtkVertexDataWriter.h>
 #include <vtkVolumeFileReader.h>
+#include <vtkVolumeFileWriter.h>
 
 #include "Core/base/Error.h"
 #include "Formats/AtomicFile.h"
@@ -27,17 +28,10 @@
 namespace authalic::cli {
 namespace {
 
-const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras"};
+const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras", "lps"};
 
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-bool isDataFile(const std::string& path) {
-  for (const char* ending : {".func.gii", ".shape.gii", ".label.gii", ".txt", ".curv", ".thickness", ".sulc"}) {
-    if (endsWith(path, ending)) return true;
-  }
-  return false;
 }
 
 std::string arrayNames(vtkPolyData* surface) {
@@ -52,13 +46,32 @@ std::string arrayNames(vtkPolyData* surface) {
 }
 
 template <class Writer>
-void write(Writer* writer, const std::string& path, vtkPolyData* surface) {
+Losses write(Writer* writer, const std::string& path, vtkDataObject* object) {
   writer->SetFileName(path.c_str());
-  writer->SetInputData(surface);
+  writer->SetInputData(object);
   runAlgorithm(writer, [writer] { writer->Write(); }, [writer] { return writer->GetErrorKind(); });
+  Losses losses;
+  for (int i = 0; i < writer->GetNumberOfLosses(); ++i) losses.emplace_back(writer->GetLoss(i));
+  return losses;
 }
 
 }  // namespace
+
+FileContent contentOfInput(const std::string& path) {
+  try {
+    return contentOf(path);
+  } catch (const Error& e) {
+    throw Failure(FileProblem, e.what());
+  }
+}
+
+bool isDataFile(const std::string& path) {
+  for (const char* ending : {".func.gii", ".shape.gii", ".label.gii", ".txt", ".curv", ".thickness", ".sulc", ".area",
+                             ".annot", ".label", ".w", ".mgh", ".mgz"}) {
+    if (endsWith(path, ending)) return true;
+  }
+  return false;
+}
 
 void SpaceOption::declare(CLI::App* verb) {
   verb->add_option("--space", name,
@@ -66,32 +79,46 @@ void SpaceOption::declare(CLI::App* verb) {
                        ". tkras needs the volume geometry in the file.")
       ->type_name("SPACE")
       ->capture_default_str();
+  verb->add_option("--whole", whole, "The surface that a FreeSurfer patch was cut from, which has its faces.")
+      ->type_name("FILE");
 }
 
-vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space) {
+ReadSurface readWholeSurface(const std::string& path, const Session& session, const SpaceOption& space) {
   vtkNew<vtkSurfaceFileReader> reader;
   reader->SetFileName(path.c_str());
   reader->SetAssumeSpace(choice("--space", space.name, spaces));
+  if (!space.whole.empty()) reader->SetWholeFileName(space.whole.c_str());
   update(reader.Get(), session);
-  return reader->GetOutput();
+  return {reader->GetOutput(), reader->GetNotRead()};
 }
 
-vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session) {
+vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space) {
+  return readWholeSurface(path, session, space).surface;
+}
+
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, int frame) {
   vtkNew<vtkVolumeFileReader> reader;
   reader->SetFileName(path.c_str());
+  reader->SetFrame(frame);
   updateAlgorithm(reader, session, [&reader] { return reader->GetErrorKind(); });
   return reader->GetOutput();
 }
 
-std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::string& path, const std::string& arrayName,
-                          const Session& session) {
+ReadSurface readVertexData(vtkPolyData* surface, const std::string& path, const std::string& structure,
+                           const std::string& arrayName, const Session& session) {
   vtkNew<vtkVertexDataReader> reader;
-  reader->SetInputData(surface);
+  if (surface) reader->SetInputData(surface);
   reader->SetFileName(path.c_str());
+  if (!structure.empty()) reader->SetStructure(structure.c_str());
   if (!arrayName.empty()) reader->SetArrayName(arrayName.c_str());
   update(reader.Get(), session);
+  return {reader->GetOutput(), reader->GetNotRead()};
+}
+
+std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::string& path, const std::string& arrayName,
+                          const Session& session, const std::string& structure) {
   const vtkSmartPointer<vtkPolyData> before = surface;
-  surface = reader->GetOutput();
+  surface = readVertexData(before, path, structure, arrayName, session).surface;
   vtkPointData* data = surface->GetPointData();
   if (!arrayName.empty() && data->HasArray(arrayName.c_str())) return arrayName;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i) {  // the first that is new, or took the place of one of its name
@@ -152,16 +179,25 @@ void requireFolder(const std::string& path) {
   }
 }
 
-void writeSurface(const std::string& path, vtkPolyData* surface) {
+Losses writeSurface(const std::string& path, vtkPolyData* surface, bool lps) {
   vtkNew<vtkSurfaceFileWriter> writer;
-  write(writer.Get(), path, surface);
+  if (lps) writer->SetWriteSpaceToLPS();
+  return write(writer.Get(), path, surface);
 }
 
-void writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays) {
-  if (!isDataFile(path)) return writeSurface(path, surface);
+Losses writeVertexData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays) {
   vtkNew<vtkVertexDataWriter> writer;
   for (const std::string& array : arrays) writer->AddArrayName(array.c_str());
-  write(writer.Get(), path, surface);
+  return write(writer.Get(), path, surface);
+}
+
+Losses writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays) {
+  return isDataFile(path) ? writeVertexData(path, surface, arrays) : writeSurface(path, surface);
+}
+
+Losses writeVolume(const std::string& path, vtkImageData* volume) {
+  vtkNew<vtkVolumeFileWriter> writer;
+  return write(writer.Get(), path, volume);
 }
 
 void writeText(const std::string& path, const std::string& text) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vtkSmartPointer.h>
 
+#include "Formats/FileContent.h"
 #include "Pipeline.h"
 
 class vtkDataObject;
@@ -19,19 +20,31 @@ namespace authalic::cli {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// The option --space and what it was given.
+/// The options that say how a surface is to be read, and what they were given.
 struct SpaceOption {
   std::string name = "stated";
+  std::string whole;  ///< the surface that a patch was cut from
   void declare(CLI::App* verb);
 };
 
 /// @throws Failure
 vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space);
-vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session);
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, int frame = 0);
+
+/// What a reader gave, and in words what else the file holds.
+struct ReadSurface {
+  vtkSmartPointer<vtkPolyData> surface;
+  std::string notRead;
+};
+ReadSurface readWholeSurface(const std::string& path, const Session& session, const SpaceOption& space);
+/// Per-vertex data added to a surface, or alone when `surface` is none.
+/// @param structure  of a CIFTI file; empty = that of the surface
+ReadSurface readVertexData(vtkPolyData* surface, const std::string& path, const std::string& structure,
+                           const std::string& arrayName, const Session& session);
 
 /// Adds the per-vertex data of a file; returns the name of the (first) array it became.
 std::string addVertexData(vtkSmartPointer<vtkPolyData>& surface, const std::string& path, const std::string& arrayName,
-                          const Session& session);
+                          const Session& session, const std::string& structure = "");
 /// `arrayOrFile` is the name of a point or cell array that is there, or a file to add.
 std::string arrayOf(vtkSmartPointer<vtkPolyData>& surface, const std::string& arrayOrFile, const Session& session);
 
@@ -46,9 +59,20 @@ void requireArrayFormat(const std::string& option, const std::string& path);
 /// @throws Failure
 void requireFolder(const std::string& path);
 
+/// What kind of thing a file holds.
+/// @throws Failure
+[[nodiscard]] FileContent contentOfInput(const std::string& path);
+
+/// What a format had no room for, one sentence each.
+using Losses = std::vector<std::string>;
+
+/// Whether the ending is one of per-vertex data; .mgh and .mgz are where no volume is meant.
+[[nodiscard]] bool isDataFile(const std::string& path);
 /// Point arrays as a file of per-vertex data when its ending says so, else the whole surface.
-void writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays);
-void writeSurface(const std::string& path, vtkPolyData* surface);
+Losses writeSurfaceOrData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays);
+Losses writeVertexData(const std::string& path, vtkPolyData* surface, const std::vector<std::string>& arrays);
+Losses writeSurface(const std::string& path, vtkPolyData* surface, bool lps = false);
+Losses writeVolume(const std::string& path, vtkImageData* volume);
 void writeText(const std::string& path, const std::string& text);
 /// Indented, with a line break at the end; nothing when `path` is empty.
 void writeJson(const std::string& path, const OrderedJson& json);

@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkSurfaceTopologyReport.h>
 
+#include "FileInfo.h"
 #include "Files.h"
 
 namespace authalic::cli {
@@ -22,14 +23,22 @@ struct InfoOptions {
 VerbHelp infoHelp() {
   VerbHelp help;
   help.name = "info";
-  help.summary = "what a surface is: topology, size, space, defects";
-  help.synopsis = "info SURFACE [--json FILE]";
+  help.summary = "what a file is: topology, size, space, defects; voxels and values";
+  help.synopsis = "info FILE [--json FILE]";
   help.description =
-      "Prints vertices, edges, faces, the Euler characteristic, genus, components and boundary loops with their "
-      "lengths in mm, area in mm², bounding box, the space of the coordinates and how it was decided, and every "
-      "kind of defect with places. Defects are not an error: the exit code is 0 for any surface that can be read.";
+      "Of a surface, prints vertices, edges, faces, the Euler characteristic, genus, components and boundary "
+      "loops with their "
+      "lengths in mm, area in mm², bounding box, the space of the coordinates and how it was decided, and "
+      "every "
+      "kind of defect with places. Defects are not an error: the exit code is 0 for any surface that can be "
+      "read.\n\n"
+      "Of a volume, prints voxels, values, axes, the affine, its space and how it was decided, and what is "
+      "doubtful "
+      "about it (an sform and a qform that disagree). Of per-vertex data, prints arrays, ranges, regions and "
+      "surfaces.";
   help.examples = {"authalic info lh.pial\n  prints the report of a FreeSurfer surface",
-                   "authalic info cow.obj --json cow.json\n  also writes every defect with its place"};
+                   "authalic info cow.obj --json cow.json\n  also writes every defect with its place",
+                   "authalic info t1.nii.gz\n  where its voxels are, and which transform said so"};
   return help;
 }
 
@@ -93,6 +102,16 @@ void printReport(vtkPolyData* surface, const std::string& path, const std::strin
 
 void runInfo(const InfoOptions& options, const Session& session) {
   requireWritable({options.json});
+  const FileContent content = contentOfInput(options.surface);
+  const bool loosePatch = content == FileContent::Patch && options.space.whole.empty();
+  if (content == FileContent::Volume || content == FileContent::VertexData || loosePatch) {
+    const OrderedJson info = loosePatch                        ? patchInfo(options.surface)
+                             : content == FileContent::Volume ? volumeInfo(options.surface, session)
+                                                              : vertexDataInfo(options.surface, session);
+    writeJson(options.json, info);
+    printInfo(info);
+    return;
+  }
   const vtkSmartPointer<vtkPolyData> surface = readSurface(options.surface, session, options.space);
   vtkNew<vtkSurfaceTopologyReport> report;
   report->SetInputData(surface);
@@ -111,7 +130,9 @@ void runInfo(const InfoOptions& options, const Session& session) {
 void addInfo(CLI::App& app, Session& session) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* verb = addVerb(app, session, infoHelp());
-  verb->add_option("SURFACE", options->surface, "FreeSurfer, GIFTI, OFF, OBJ, PLY, STL, VTK or VTP file.")->required();
+  verb->add_option("FILE", options->surface,
+                   "Surface (FreeSurfer, GIFTI, MZ3, OFF, OBJ, PLY, STL, VTK, VTP), per-vertex data or volume.")
+      ->required();
   verb->add_option("--json", options->json, "Writes the report with every defect and its place.")->type_name("FILE");
   options->space.declare(verb);
   verb->callback([options, &session] { runInfo(*options, session); });

@@ -180,6 +180,156 @@ class Values(Case):
             np.testing.assert_array_equal(self.array("vertices", "<i4"), nibabel.freesurfer.read_label(path), path)
 
 
+class MoreFormats(Case):
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    @staticmethod
+    def bytes(path):
+        with open(path, "rb") as file:
+            return file.read()
+
+    def test_patches_take_their_faces_from_the_whole_surface(self):
+        whole = data("cortex/fsaverage3_fs/lh.white")
+        points, faces = nibabel.freesurfer.read_geometry(whole)
+        kept = np.flatnonzero(points[:, 2] > 0)[::-1]
+        border = np.arange(len(kept)) % 5 == 0
+        record = np.zeros(len(kept), [("vertex", ">i4"), ("xyz", ">f4", 3)])
+        record["vertex"] = np.where(border, -(kept + 1), kept + 1)
+        record["xyz"] = points[kept]
+        with open(self.path("lh.patch.3d"), "wb") as file:
+            file.write(np.array([-1, len(kept)], ">i4").tobytes() + record.tobytes())
+        run("patch", self.path("lh.patch.3d"), self.out, whole)
+        np.testing.assert_array_equal(self.array("vertices", "<i4"), kept)
+        np.testing.assert_array_equal(self.array("border", "<i4"), border)
+        inside = faces[np.isin(faces, kept).all(axis=1)]
+        np.testing.assert_array_equal(kept[self.array("faces", "<i4")].reshape(-1, 3), inside)
+        np.testing.assert_array_equal(self.array("points", "<f8").reshape(-1, 3), points[kept].astype("f4"))
+
+    def test_mz3(self):
+        for name, layers in (("BrainMesh_ICBM152.lh.mz3", 0), ("cortex_5124.mz3", 0), ("16DoubleOverlay_5124x2.mz3", 2),
+                             ("BrainMesh_ICBM152.lh.motor.mz3", 1)):
+            raw = self.bytes(data("cortex/mz3/" + name))
+            raw = gzip.decompress(raw) if raw[:2] == b"\x1f\x8b" else raw
+            _, attributes = np.frombuffer(raw, "<u2", 2)
+            m, n, skip = (int(x) for x in np.frombuffer(raw, "<u4", 3, 4))
+            run("mz3", data("cortex/mz3/" + name), self.out)
+            at = 16 + skip
+            for bit, part, kind, count in ((1, "faces", "<i4", 3 * m), (2, "points", "<f4", 3 * n)):
+                if attributes & bit:
+                    ours = self.array(part, "<i4" if bit == 1 else "<f8")
+                    np.testing.assert_array_equal(ours, np.frombuffer(raw, kind, count, at), name)
+                    at += 4 * count
+            at += 4 * n if attributes & 4 else 0
+            values = np.frombuffer(raw[at:], "<f8" if attributes & 16 else "<f4")
+            self.assertEqual(len(values), n * layers, name)
+            np.testing.assert_array_equal(self.array("values", "<f4"), values.astype("f4"), name)
+
+    def test_written_mz3_is_read_back(self):
+        run("write-mz3", data("cortex/fsaverage3_fs/lh.pial"), self.path("s.mz3"))
+        points, faces = self.surface(self.path("s.mz3"))
+        expected = nibabel.freesurfer.read_geometry(data("cortex/fsaverage3_fs/lh.pial"))
+        np.testing.assert_array_equal(points, expected[0].astype("f4"))
+        np.testing.assert_array_equal(faces, expected[1])
+
+    def test_w_files(self):
+        values = np.array([1.5, np.nan, -2, 0], "f4")
+        np.savetxt(self.path("v.txt"), values)
+        run("write-paint", self.path("v.txt"), self.path("lh.w"))
+        raw = self.bytes(self.path("lh.w"))
+        self.assertEqual(raw[:5], bytes([0, 0, 0, 0, 3]))
+        entries = [(int.from_bytes(raw[i:i + 3], "big"), float(np.frombuffer(raw, ">f4", 1, i + 3)[0]))
+                   for i in range(5, len(raw), 7)]
+        self.assertEqual(entries, [(0, 1.5), (2, -2), (3, 0)])
+        run("sparse", self.path("lh.w"), self.out, 6)
+        np.testing.assert_array_equal(self.array("values", "<f4"), [1.5, np.nan, -2, 0, np.nan, np.nan])
+
+    def test_sparse_gifti(self):
+        image = nibabel.gifti.GiftiImage()
+        arrays = ([4, 1], "NIFTI_INTENT_NODE_INDEX", "int32"), ([7, 8], "NIFTI_INTENT_SHAPE", "float32")
+        for numbers, intent, kind in arrays:
+            image.add_gifti_data_array(nibabel.gifti.GiftiDataArray(
+                np.array(numbers, kind), intent=intent, datatype="NIFTI_TYPE_" + kind.upper()))
+        nibabel.save(image, self.path("s.func.gii"))
+        run("sparse", self.path("s.func.gii"), self.out, 6)
+        np.testing.assert_array_equal(self.array("values", "<f4"), [np.nan, 8, np.nan, np.nan, 7, np.nan])
+
+    def test_written_annotations_are_read_by_nibabel(self):
+        source = unpacked(data("cortex/subject1_fs/lh.aparc.annot.gz"), self.folder)
+        run("write-annot", source, self.path("w.annot"))
+        ours, expected = (nibabel.freesurfer.read_annot(p) for p in (self.path("w.annot"), source))
+        np.testing.assert_array_equal(ours[0], expected[0])
+        np.testing.assert_array_equal(ours[1], expected[1])
+        self.assertEqual(ours[2], expected[2])
+
+    def test_written_mgh_is_read_by_nibabel(self):
+        for name in ("edge/SRA.nii.gz", "edge/anatomical.nii", "edge/resampled_anat_moved.nii"):
+            for ending in ("v.mgz", "v.mgh"):
+                run("write-volume", data("volumes/" + name), self.path(ending))
+                ours, expected = nibabel.load(self.path(ending)), nibabel.load(data("volumes/" + name))
+                np.testing.assert_allclose(ours.affine, expected.affine, atol=2e-4, err_msg=name)
+                np.testing.assert_allclose(np.asanyarray(ours.dataobj), np.asanyarray(expected.dataobj), rtol=1e-6)
+
+    def test_cifti(self):
+        random = np.random.default_rng(1)
+        left = nibabel.cifti2.BrainModelAxis.from_surface(np.sort(random.choice(642, 500, False)), 642, "CortexLeft")
+        right = nibabel.cifti2.BrainModelAxis.from_surface(np.arange(3, 640), 642, "CortexRight")
+        voxels = nibabel.cifti2.BrainModelAxis.from_mask(np.ones((2, 2, 2)), "ThalamusLeft", np.eye(4))
+        models = left + right + voxels
+        table = {0: ("???", (0, 0, 0, 0)), 1: ("one", (1, 0, 0, 1)), 2: ("two", (0, 0, 1, 1))}
+        for axis, ending in ((nibabel.cifti2.ScalarAxis(["first", "second"]), "a.dscalar.nii"),
+                             (nibabel.cifti2.LabelAxis(["first", "second"], [table, table]), "a.dlabel.nii")):
+            labels = "dlabel" in ending
+            shape = 2, len(models)
+            values = (random.integers(0, 3, shape) if labels else random.normal(size=shape)).astype("f4")
+            image = nibabel.Cifti2Image(values, (axis, models))
+            image.nifti_header.set_intent("ConnDenseLabel" if labels else "ConnDenseScalar")
+            nibabel.save(image, self.path(ending))
+            for structure, part in (("CortexLeft", slice(0, 500)), ("CortexRight", slice(500, 500 + 637))):
+                run("cifti", self.path(ending), self.out, structure)
+                expected = np.full((2, 642), -1 if labels else np.nan, "f4")
+                expected[:, models.vertex[part]] = values[:, part]
+                np.testing.assert_array_equal(self.array("values", "<f4").reshape(2, 642), expected, ending)
+            self.assertEqual([line for line in self.facts() if line[0] != "\t"], ["first", "second"])
+            self.assertEqual("\t1\tone" in self.facts(), labels)
+
+    def test_files_of_nibabels_own_tests(self):
+        root = os.path.dirname(nibabel.__file__)
+        compared = 0
+        for path in sorted(glob.glob(root + "/gifti/tests/data/*.gii")):
+            image = nibabel.load(path)
+            sets = image.get_arrays_from_intent("pointset"), image.get_arrays_from_intent("triangle")
+            if all(sets) and len(sets[1][0].data) > 0 and sets[1][0].data.max() < len(sets[0][0].data):
+                points, faces = self.surface(path)
+                np.testing.assert_array_equal(points, sets[0][0].data.astype(float), path)
+                np.testing.assert_array_equal(faces, sets[1][0].data.reshape(-1, 3), path)
+                compared += 1
+        for name in ("anatomical.nii", "functional.nii", "example4d.nii.gz", "example_nifti2.nii.gz", "standard.nii.gz",
+                     "reoriented_anat_moved.nii", "resampled_anat_moved.nii", "test.mgz"):
+            image = nibabel.load(os.path.join(root, "tests", "data", name))
+            run("volume", os.path.join(root, "tests", "data", name), self.out)
+            values = np.asanyarray(image.dataobj)
+            values = values.reshape(values.shape[:3] + (-1,), order="F")[..., 0]
+            np.testing.assert_allclose(self.array("values", "<f4").reshape(values.shape, order="F"),
+                                       values.astype("f8"), rtol=2e-7, err_msg=name)
+            compared += 1
+        self.assertGreaterEqual(compared, 10)
+
+    def test_gifti_tool_and_nifti_tool_accept_what_is_written(self):
+        if not shutil.which("gifti_tool") or not shutil.which("nifti_tool"):
+            self.skipTest("gifti_tool and nifti_tool are not installed")
+        run("write-gifti", data("cortex/fsaverage3_fs/lh.pial"), self.path("s.surf.gii"))
+        run("write-shape", data("cortex/fsaverage3_fs/lh.thickness"), self.path("s.shape.gii"))
+        run("write-volume", data("volumes/edge/anatomical.nii"), self.path("v.nii"))
+        for words in (["gifti_tool", "-gifti_test", "-infile", self.path("s.surf.gii")],
+                      ["gifti_tool", "-gifti_test", "-infile", self.path("s.shape.gii")],
+                      ["nifti_tool", "-check_hdr", "-infiles", self.path("v.nii")],
+                      ["nifti_tool", "-check_nim", "-infiles", self.path("v.nii")]):
+            done = subprocess.run(words, capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, f"{words}: {done.stdout}{done.stderr}")
+            self.assertNotRegex(done.stdout + done.stderr, r"(?i)fail|invalid|not valid|bad ")
+
+
 class Volumes(Case):
     def compare(self, path, image, frame=0):
         run("volume", path, self.out, frame)

@@ -104,6 +104,7 @@ CASES = [
     ("written", "SurfaceFileWriter", [("Input", "cut", 0)], {"FileName": "OUT/cut.gii"}),
     ("metrics", "VertexDataWriter", [("Input", "labelled", 0)],
      {"FileName": "OUT/T1.func.gii", "ArrayName": [("T1",)]}),
+    ("volume", "VolumeFileWriter", [("Input", "t1", 0)], {"FileName": "OUT/t1.mgh"}),
     ("reread", "SurfaceFileReader", [], {"FileName": "OUT/cut.gii", "AssumeSpace": 1}),
     ("withdata", "VertexDataReader", [("Input", "reread", 0)], {"FileName": "OUT/T1.func.gii", "ArrayName": "Again"}),
 ]

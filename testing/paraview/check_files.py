@@ -17,6 +17,7 @@ EXPECTED = {
     "rh.pial": (SURFACE, "SurfaceFileWriter"), "lh.sphere.reg": (SURFACE, None),
     "a.inflated": (SURFACE, "SurfaceFileWriter"),
     "a.nii": (VOLUME, None), "a.nii.gz": (VOLUME, None), "orig.mgz": (VOLUME, None), "orig.mgh": (VOLUME, None),
+    "a.mz3": (SURFACE, "SurfaceFileWriter"), "lh.annot": (None, "VertexDataWriter"),
     "lh.thickness": (None, "VertexDataWriter"), "rh.curv": (None, "VertexDataWriter"),
 }
 

@@ -132,6 +132,28 @@ class Pet(Script):
         self.holds(0.70, 0.80, "--surface", surface, "--space", "scanner-ras", "--volume", volume, "--depths", 0, 2)
 
 
+class SpaceCheck(Script):
+    def holds(self, least, *options):
+        printed = self.run_script("space_check.py", *options)
+        seen, inside, outside = map(float, re.search(
+            r"([\d.]+)% of the vertices lie in the volume; 1.5 mm inside ([\d.]+), outside ([\d.]+)", printed).groups())
+        self.assertGreater(seen, 99)
+        self.has_picture("space.png")
+        return inside / outside > least
+
+    def test_on_fixtures(self):
+        self.assertTrue(self.holds(1.2))
+
+    def test_on_real_data(self):
+        surface, volume = SUBJECT / "lh.pialsurface6", SUBJECT / "brain.mgz"
+        if not volume.exists():
+            self.skipTest(f"{volume} is not there")
+        self.assertTrue(self.holds(1.5, "--surface", surface, "--volume", volume))
+        flipped = self.out / "flipped.ply"  # in the wrong space the two sides are alike
+        authalic.write_surface(flipped, authalic.read_surface(surface), space="lps")
+        self.assertFalse(self.holds(1.5, "--surface", flipped, "--space", "scanner-ras", "--volume", volume))
+
+
 class RegionOfInterest(Script):
     def holds(self, *options):
         before, after = re.search(r"([\d.]+)% area-preserving, ([\d.]+)% with",

@@ -53,6 +53,53 @@ class Files(unittest.TestCase):
             self.assertTrue(np.array_equal(back.faces, faces), name)
             self.assertLessEqual(np.abs(back.points - points).max(), off, name)
 
+    def test_volumes_come_back_and_say_what_they_lose(self):
+        volume = linear_volume()
+        whole = authalic.Volume(np.arange(24, dtype=np.int16).reshape(2, 3, 4), volume.affine)
+        for name in ("v.nii", "v.nii.gz", "v.mgh", "v.mgz"):
+            self.assertIn("Values are rounded", authalic.write_volume(self.here / name, volume)[0])
+            back = authalic.read_volume(self.here / name)
+            np.testing.assert_allclose(back.values, volume.values, rtol=1e-7, atol=1e-9)
+            np.testing.assert_allclose(back.affine, volume.affine, atol=1e-6)
+            self.assertFalse([words for words in authalic.write_volume(self.here / name, whole) if "Values" in words])
+            self.assertTrue(np.array_equal(authalic.read_volume(self.here / name).values, whole.values))
+        lost = authalic.Volume(whole.values, whole.affine, {"CoordinateSpace": "unknown"})
+        with self.assertRaisesRegex(authalic.InvalidArgument, "unknown"):
+            authalic.write_volume(self.here / "v.nii", lost)
+
+    def test_writers_return_what_is_lost_and_data_are_read_alone(self):
+        points, faces = sphere(1)
+        surface = authalic.Surface(points, faces, {"height": points[:, 2]}, {}, {"CoordinateSpace": "scanner-ras"})
+        self.assertEqual(authalic.write_surface(self.here / "a.vtp", surface), [])
+        self.assertEqual(authalic.write_surface(self.here / "a.off", surface)[0], "Arrays are not kept: height.")
+        authalic.write_surface(self.here / "l.ply", surface, space="lps")
+        back = authalic.read_surface(self.here / "l.ply")
+        self.assertTrue(np.array_equal(back.points, points))
+        turned = authalic.read_surface(self.here / "l.ply", space="scanner-ras")
+        self.assertTrue(np.array_equal(turned.points, points * [-1, -1, 1]))
+        authalic.write_vertex_data(self.here / "h.shape.gii", surface, "height")
+        alone = authalic.read_vertex_data(self.here / "h.shape.gii")
+        self.assertTrue(np.array_equal(alone.point_arrays["height"], points[:, 2].astype("f4")))
+        self.assertEqual(len(alone.faces), 0)
+
+    def test_patches_are_read_with_the_surface_they_were_cut_from(self):
+        points, faces = sphere(2)
+        authalic.write_surface(self.here / "lh.whole", points, faces)
+        kept = np.flatnonzero(points[:, 2] > 0)
+        new = -np.ones(len(points), int)
+        new[kept] = np.arange(len(kept))
+        inside = new[faces[(points[faces][:, :, 2] > 0).all(axis=1)]]
+        patch = authalic.Surface(points[kept], inside, {"OriginalPointIds": kept})
+        self.assertIn("Coordinates are rounded", authalic.write_surface(self.here / "lh.patch.3d", patch)[0])
+        back = authalic.read_surface(self.here / "lh.patch.3d", whole=self.here / "lh.whole")
+        self.assertTrue(np.array_equal(back.faces, inside))
+        self.assertTrue(np.array_equal(back.point_arrays["OriginalPointIds"], kept))
+        loop = np.bincount(np.sort(inside[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1) @ [1000, 1])
+        ends = np.unique([divmod(edge, 1000) for edge in np.flatnonzero(loop == 1)])
+        self.assertTrue(np.array_equal(np.flatnonzero(back.point_arrays["PatchBorder"]), ends))
+        with self.assertRaisesRegex(authalic.InvalidArgument, "cut from"):
+            authalic.read_surface(self.here / "lh.patch.3d")
+
     def test_a_map_keeps_everything_in_a_vtp_file(self):
         result = authalic.flatten(authalic.read_surface(DATA / "bumpy_disk.off"), method="harmonic")
         authalic.write_surface(self.here / "map.vtp", result)

@@ -160,6 +160,8 @@ CASES = {
     "vtkVertexDataReader": Case((disk,), {"FileName": file_named("height.txt")}, wrong=(0, ball), stops=False),
     "vtkSurfaceFileWriter": Case((disk,), {"FileName": str(pathlib.Path(HERE.name, "out.vtp"))}, stops=False,
                                  keeps_vertices=False, writer=True),
+    "vtkVolumeFileWriter": Case((volume,), {"FileName": str(pathlib.Path(HERE.name, "out.nii"))},
+                                wrong=(0, vtkImageData), stops=False, keeps_vertices=False, writer=True),
     "vtkVertexDataWriter": Case((disk,), {"FileName": str(pathlib.Path(HERE.name, "out.txt"))}, stops=False,
                                 keeps_vertices=False, adders={"AddArrayName": ("Kept",)}, writer=True),
 }

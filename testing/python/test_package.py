@@ -8,8 +8,9 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
-CLASSES = """vtkSurfaceFileReader vtkSurfaceFileWriter vtkVolumeFileReader vtkVertexDataReader vtkVertexDataWriter
-vtkCorticalSurface vtkCutToDisk vtkBarycentricMap vtkDiscreteLieFlow vtkMapDistortion vtkSurfaceTopologyReport
+CLASSES = """vtkSurfaceFileReader vtkSurfaceFileWriter vtkVolumeFileReader vtkVolumeFileWriter
+vtkVertexDataReader vtkVertexDataWriter vtkCorticalSurface vtkCutToDisk vtkBarycentricMap
+vtkDiscreteLieFlow vtkMapDistortion vtkSurfaceTopologyReport
 vtkSampleVolumeOnSurface vtkLabelsOnSurface vtkElementGrid vtkElementStatistics vtkRegionDensity
 vtkCurvatureDensity""".split()
 

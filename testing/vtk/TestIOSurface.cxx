@@ -453,5 +453,5 @@ TEST(VertexData, OfALabelMarksItsVertices) {
   for (vtkIdType i = 0; i < inside->GetNumberOfTuples(); ++i) {
     count += inside->GetTuple1(i) == 1 ? 1 : 0;
   }
-  EXPECT_EQ(count, static_cast<int>(authalic::readLabel(path).size()));
+  EXPECT_EQ(count, static_cast<int>(authalic::readLabel(path).vertices.size()));
 }

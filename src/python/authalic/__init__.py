@@ -9,7 +9,7 @@ Functions take and return numpy arrays:
 >>> map = authalic.flatten(disk)                  # or flatten(points, faces, method=..., domain=...)
 >>> map.image, map.status, map.metrics["flipped_faces"]
 
-    files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume
+    files      read_surface, write_surface, read_vertex_data, write_vertex_data, read_volume, write_volume
     surfaces   topology, repair, cut_to_disk, cortical_surfaces
     maps       flatten, methods, measure_distortion, balance_curve
     sampling   sample_volume, labels_on_surface, elements
@@ -29,7 +29,7 @@ from ._maps import BalanceCurve, Distortion, SurfaceMap, balance_curve, flatten,
 from ._repair import RepairedSurface, repair
 from ._surfaces import (Surface, cut_to_disk, read_surface, read_vertex_data, topology, write_surface,
                         write_vertex_data)
-from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume
+from ._volumes import Samples, Volume, cortical_surfaces, labels_on_surface, read_volume, sample_volume, write_volume
 
 __version__ = "@PROJECT_VERSION@"
 __all__ = [
@@ -66,6 +66,7 @@ __all__ = [
     "topology",
     "write_surface",
     "write_vertex_data",
+    "write_volume",
 ]
 __all__ += _classes.__all__
 

@@ -71,44 +71,55 @@ def to_polydata(points: Any, faces: Any = None) -> Any:
     return mesh
 
 
-def read_surface(path: Path, space: str = "as-stated") -> Surface:
+def read_surface(path: Path, space: str = "as-stated", *, whole: Optional[Path] = None) -> Surface:
     """Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
 
-    path   FreeSurfer (lh.pial ...), .gii, .gii.gz, .off, .ply, .obj, .vtp, .vtk, .stl
-    space  "as-stated": believe the file; "scanner-ras" or "tk-ras": the coordinates are in that space whatever it
-           says
+    path   FreeSurfer (lh.pial ..., .patch.3d, .patch.flat), .gii, .gii.gz, .mz3, .off, .ply, .obj, .vtp, .vtk, .stl
+    space  "as-stated": believe the file; "scanner-ras", "tk-ras" or "lps": the coordinates are in that space
+           whatever it says
+    whole  the surface that a FreeSurfer patch was cut from, which has its faces
 
     fields["CoordinateSpace"] is "scanner-ras" or "unknown". Raises FormatError, SurfaceError, InvalidArgument.
     """
     reader = _classes.vtkSurfaceFileReader()
     reader.SetFileName(os.fspath(path))
-    _filters.configure(reader, assume_space=space)
+    _filters.configure(reader, assume_space=space, whole_file_name=None if whole is None else os.fspath(whole))
     _filters.warn(_filters.run(reader)[1])
     return Surface.from_vtk(reader.GetOutput())
 
 
-def write_surface(path: Path, points: Any, faces: Any = None) -> None:
+def write_surface(path: Path, points: Any, faces: Any = None, *, space: str = "scanner-ras") -> list[str]:
     """Writes a surface in the format that the file name asks for, whole or not at all.
 
     points, faces  arrays, or one Surface, SurfaceMap or vtkPolyData; .vtp and .vtk keep every array
+    space          "scanner-ras", or "lps" as ITK and 3D Slicer have it (.vtp, .vtk, .ply, .obj, .stl)
 
-    Raises FormatError when it cannot be written.
+    Returns what the format had no room for, one sentence each. Raises FormatError when it cannot be written,
+    InvalidArgument.
     """
-    _write(_classes.vtkSurfaceFileWriter(), path, to_polydata(points, faces))
+    writer = _classes.vtkSurfaceFileWriter()
+    _filters.configure(writer, write_space=space)
+    return write_with(writer, path, to_polydata(points, faces))
 
 
-def _write(writer, path, mesh):
+def write_with(writer: Any, path: Path, thing: Any) -> list[str]:
+    """Runs a writer; returns what it could not keep."""
     writer.SetFileName(os.fspath(path))
-    writer.SetInputData(mesh)
+    writer.SetInputData(thing)
     _filters.warn(_filters.run(writer, execute=writer.Write)[1], stacklevel=4)
+    return [writer.GetLoss(i) for i in range(writer.GetNumberOfLosses())]
 
 
-def read_vertex_data(path: Path, surface: Any, name: Optional[str] = None) -> Surface:
+def read_vertex_data(path: Path, surface: Any = None, name: Optional[str] = None, *,
+                     structure: Optional[str] = None) -> Surface:
     """Adds the per-vertex data of a file to the surface they belong to.
 
-    path     FreeSurfer curv, thickness, sulc, .annot, .label, .mgh; .func.gii, .shape.gii, .label.gii; text
-    surface  Surface or vtkPolyData with as many vertices as the file has values
-    name     of the array; default: the name in the file, else of the file (lh.thickness -> thickness)
+    path       FreeSurfer curv, thickness, sulc, .annot, .label, .w, .mgh; .func.gii, .shape.gii, .label.gii; CIFTI-2
+               .dscalar.nii, .dlabel.nii, .dtseries.nii; .mz3; text
+    surface    Surface or vtkPolyData with as many vertices as the file has values; None = the data alone, with
+               points at the origin and no faces
+    name       of the array; default: the name in the file, else of the file (lh.thickness -> thickness)
+    structure  which surface of a CIFTI file: CortexLeft ...; default: that of the surface
 
     Annotations come with fields["NAMENames"] and fields["NAMEIds"]. Raises FormatError, SurfaceError.
     """
@@ -116,24 +127,27 @@ def read_vertex_data(path: Path, surface: Any, name: Optional[str] = None) -> Su
     reader.SetFileName(os.fspath(path))
     if name:
         reader.SetArrayName(name)
-    reader.SetInputData(to_polydata(surface))
+    _filters.configure(reader, structure=structure)
+    if surface is not None:
+        reader.SetInputData(to_polydata(surface))
     _filters.warn(_filters.run(reader)[1])
     return Surface.from_vtk(reader.GetOutput())
 
 
-def write_vertex_data(path: Path, surface: Any, *names: str) -> None:
+def write_vertex_data(path: Path, surface: Any, *names: str) -> list[str]:
     """Writes point arrays of a surface as per-vertex data, whole or not at all.
 
-    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .txt, anything else FreeSurfer's curv (one
-           array)
+    path   .func.gii, .shape.gii (any number of arrays), .label.gii, .annot, .label, .w, .mgh, .mgz, .txt;
+           anything else is FreeSurfer's curv (one array)
     names  of the arrays; none = every array of one component
 
-    Raises FormatError, InvalidArgument when there is no such array.
+    Returns what the format had no room for, one sentence each. Raises FormatError, InvalidArgument when there is no
+    such array.
     """
     writer = _classes.vtkVertexDataWriter()
     for name in names:
         writer.AddArrayName(name)
-    _write(writer, path, to_polydata(surface))
+    return write_with(writer, path, to_polydata(surface))
 
 
 def topology(points: Any, faces: Any = None) -> dict[str, Any]:

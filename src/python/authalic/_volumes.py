@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import _arrays, _classes, _filters
 from ._errors import InvalidArgument
-from ._surfaces import Path, Progress, Surface, require_space, to_polydata
+from ._surfaces import Path, Progress, Surface, require_space, to_polydata, write_with
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
@@ -80,6 +80,17 @@ def read_volume(path: Path, frame: int = 0) -> Volume:
     _filters.configure(reader, frame=frame)
     _filters.warn(_filters.run(reader)[1])
     return Volume.from_vtk(reader.GetOutput())
+
+
+def write_volume(path: Path, volume: Any) -> list[str]:
+    """Writes a volume as NIfTI-1 (.nii, .nii.gz) or MGH (.mgh, .mgz), whole or not at all.
+
+    volume  Volume or vtkImageData, scanner RAS mm; one that says that its space is unknown is refused
+
+    Values become 32-bit integers or floats. Returns what the format had no room for, one sentence each. Raises
+    FormatError, InvalidArgument.
+    """
+    return write_with(_classes.vtkVolumeFileWriter(), path, _image(volume))
 
 
 def _image(volume: Any) -> Any:

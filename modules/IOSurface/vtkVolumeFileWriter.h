@@ -1,0 +1,66 @@
+/**
+ * @class vtkVolumeFileWriter
+ * @brief Writes a volume as NIfTI-1 or MGH, whole or not at all.
+ *
+ * | name ends in | format | voxels | space |
+ * |---|---|---|---|
+ * | .nii, .nii.gz | NIfTI-1 | 32-bit integers or floats | sform, and qform when the axes are orthogonal; code from field TransformCode, else 1 (scanner) |
+ * | .mgh, .mgz | MGH | 32-bit integers or floats | direction cosines and centre (goodRAS) |
+ *
+ * The point scalars have one component. Physical coordinates (origin, spacing, direction matrix) are taken to be
+ * scanner RAS mm; a volume whose field CoordinateSpace says "unknown" is refused, because the file would claim to
+ * know. GetLoss() says in words what the format had no room for.
+ *
+ * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
+ */
+#ifndef vtkVolumeFileWriter_h
+#define vtkVolumeFileWriter_h
+
+#include "vtkAuthalicIOSurfaceModule.h" // for export macro
+#include "vtkWriter.h"
+
+#include <string> // for the losses
+#include <vector>
+
+class VTKAUTHALICIOSURFACE_EXPORT vtkVolumeFileWriter : public vtkWriter
+{
+public:
+  static vtkVolumeFileWriter* New();
+  vtkTypeMacro(vtkVolumeFileWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to write. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** What the last Write() could not keep, one sentence each. */
+  int GetNumberOfLosses() const { return static_cast<int>(this->Losses.size()); }
+  const char* GetLoss(int index) const;
+  ///@}
+
+  /** How the last Write() ended, as vtkSurfaceAlgorithm::ErrorKindType. */
+  vtkGetMacro(ErrorKind, int);
+
+  /** 1 when the file is there, 0 otherwise. */
+  int Write() override;
+
+protected:
+  vtkVolumeFileWriter() = default;
+  ~vtkVolumeFileWriter() override;
+
+  void WriteData() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  char* FileName = nullptr;
+  std::vector<std::string> Losses;
+  int ErrorKind = 0;
+
+private:
+  vtkVolumeFileWriter(const vtkVolumeFileWriter&) = delete;
+  void operator=(const vtkVolumeFileWriter&) = delete;
+};
+
+#endif

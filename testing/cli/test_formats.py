@@ -1,0 +1,432 @@
+#!/usr/bin/python3
+"""`convert` and `info` on every format: round trips bit for bit, what is lost said, outputs whole or absent.
+
+    test_formats.py --authalic PROGRAM --fixtures FOLDER --data FOLDER
+
+Files are made here; what nibabel and wb_command make of ours is compared where they are installed.
+"""
+import gzip
+import os
+import pathlib
+import shutil
+import signal
+import struct
+import subprocess
+import time
+import unittest
+
+from command_line import ARGUMENTS, grid, main
+from format_files import D_P_INVERSE, Formats, curv, white
+
+try:
+    import nibabel
+    import numpy as np
+except ImportError:
+    nibabel = None
+needs_nibabel = unittest.skipUnless(nibabel, "nibabel is not installed")
+
+
+class Surfaces(Formats):
+    def test_freesurfer_survives_every_format_that_keeps_the_geometry(self):
+        self.assertEqual(self.converts("lh.white", "copy.white"), "")
+        geometry = self.bytes("lh.white").index(struct.pack(">iii", 2, 0, 20))
+        self.assertEqual(self.bytes("copy.white")[:geometry], self.bytes("lh.white")[:geometry])
+        for middle in ("s.vtp", "s.vtk"):
+            self.assertEqual(self.there_and_back("copy.white", middle, "back.white"), "", middle)
+
+    def test_gifti_keeps_space_geometry_and_coordinates_to_32_bits(self):
+        said = self.converts("lh.white", "s.surf.gii")
+        self.assertRegex(said, r"^authalic: lost in s.surf.gii: Coordinates are rounded to 32 bits, by up to "
+                         r"\S+ mm\.\n$")
+        self.there_and_back("s.surf.gii", "s.vtp", "again.surf.gii")
+        self.assertIn("SCANNER_ANAT", self.lines_of("again.surf.gii")["space"])
+
+    def test_ply_obj_off_and_vtp_give_back_the_same_doubles(self):
+        self.succeeds("convert", "lh.white", "s.ply", "-q")
+        for middle in ("s.obj", "s.vtp", "s.vtk"):
+            self.there_and_back("s.ply", middle, "back.ply")
+        said = self.there_and_back("s.ply", "s.off", "back.ply", home=("--space", "scanner-ras"))
+        self.assertIn("does not say that its coordinates are scanner-ras", said)
+
+    def test_mz3_gives_back_points_and_overlays(self):
+        white(self.path("plain.white"), geometry="")
+        self.converts("plain.white", "s.mz3", "--data", "lh.thickness")
+        self.converts("s.mz3", "back.white")
+        self.assertEqual(self.bytes("back.white"), self.bytes("plain.white") + struct.pack(">ii", 2, 0))
+        self.converts("plain.white", "back.thickness", "--data", "s.mz3")
+        self.assertEqual(self.bytes("back.thickness"), self.bytes("lh.thickness"))
+
+    def test_stl_says_that_it_loses_the_order(self):
+        said = self.converts("lh.white", "s.stl")
+        for words in ("order of the vertices", "volume geometry"):
+            self.assertIn(words, said)
+        self.assertIn("81", self.lines_of("s.stl")["vertices"])
+
+    def test_every_loss_is_one_sentence_on_stderr_and_quiet_is_quiet(self):
+        self.converts("lh.white", "a.vtp", "--data", "lh.thickness")
+        result = self.run_verb("convert", "a.vtp", "a.off")
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 3, lines)
+        for line, words in zip(lines, ("Arrays are not kept: thickness", "scanner-ras", "volume geometry")):
+            self.assertTrue(line.startswith("authalic: lost in a.off: ") and line.endswith("."), line)
+            self.assertIn(words, line)
+        self.assertEqual((result.stdout, self.run_verb("convert", "a.vtp", "a.off", "-q").stderr), ("", ""))
+
+    def test_patches_give_back_vertices_border_and_points(self):
+        kept = [i for i, p in enumerate(self.points) if p[0] < 2]
+        border = {i for i in kept if not (-4 < self.points[i][0] < 1 and -4 < self.points[i][1] < 4)}
+        for name, flat in (("lh.patch.3d", False), ("lh.patch.flat", True)):
+            data = struct.pack(">ii", -1, len(kept))
+            for i in kept:
+                x, y, z = self.points[i]
+                data += struct.pack(">i3f", -(i + 1) if i in border else i + 1, x, y, 0 if flat else z)
+            self.path(name).write_bytes(data)
+            self.assertIn("was cut from", self.fails(2, "convert", name, "p.vtp"))
+            self.assertIn(str(len(border)), self.succeeds("info", name))
+            said = self.there_and_back(name, "p.vtp", "back" + name, there=("--whole", "lh.white"))
+            self.assertEqual(said, "")
+            expected = "unknown" if flat else "scanner-ras"
+            self.assertTrue(self.lines_of(name, "--whole", "lh.white")["space"].startswith(expected), name)
+        self.assertIn("OriginalPointIds", self.fails(2, "convert", "lh.white", "w.patch.3d"))
+
+    def test_compressed_names_are_refused(self):
+        for name in ("s.surf.gii.gz", "lh.curv.gz", "a.annot.gz"):
+            self.assertIn(".gz", self.fails(2, "convert", "lh.white", name, "--data", "lh.thickness"))
+
+
+class Spaces(Formats):
+    def first_point(self, name):
+        self.succeeds("convert", name, "first.obj", "-q")
+        line = next(line for line in self.path("first.obj").read_text().splitlines() if line.startswith("v "))
+        return [float(x) for x in line.split()[1:]]
+
+    def test_tkras_of_an_oblique_volume_is_placed_by_the_full_formula(self):
+        p = self.points[0]
+        expected = [sum(m * x for m, x in zip(row, p)) + c for row, c in zip(D_P_INVERSE, (3.5, -20.25, 7))]
+        for name in ("lh.white", "s.surf.gii", "s.vtp", "s.ply"):
+            if name != "lh.white":
+                self.succeeds("convert", "lh.white", name, "-q")
+            for ours, theirs in zip(self.first_point(name), expected):
+                self.assertAlmostEqual(ours, theirs, delta=1e-5, msg=name)
+        only_centre = [x + c for x, c in zip(p, (3.5, -20.25, 7))]
+        self.assertGreater(max(abs(a - b) for a, b in zip(only_centre, expected)), 1)
+
+    def test_lps_turns_x_and_y_and_is_stated(self):
+        ras = self.first_point("lh.white")
+        for name in ("l.ply", "l.obj", "l.stl", "l.vtk", "l.vtp"):
+            self.succeeds("convert", "lh.white", name, "--lps", "-q")
+            self.assertTrue(self.lines_of(name)["space"].startswith("scanner-ras"), name)
+            self.assertAlmostEqual(self.first_point(name)[0], ras[0], places=5)
+        numbers = [line for line in self.path("l.obj").read_text().splitlines() if line.startswith("v ")][0].split()
+        self.assertAlmostEqual(float(numbers[1]), -ras[0])
+        self.assertAlmostEqual(float(numbers[2]), -ras[1])
+        self.assertAlmostEqual(float(numbers[3]), ras[2])
+        self.assertIn("space of its own", self.fails(2, "convert", "lh.white", "l.surf.gii", "--lps"))
+        self.assertIn("unknown", self.fails(2, "convert", self.sheet, "l.ply", "--lps"))
+
+    def test_info_says_which_space_and_why(self):
+        white(self.path("bare.white"), geometry="")
+        self.succeeds("convert", "lh.white", "s.surf.gii", "-q")
+        self.succeeds("convert", "lh.white", "s.ply", "-q")
+        for name, space, why in (("lh.white", "scanner-ras", "volume geometry"), ("bare.white", "unknown", "without"),
+                                 ("s.surf.gii", "scanner-ras", "SCANNER_ANAT"), ("s.ply", "scanner-ras", "SPACE=RAS"),
+                                 (self.sheet, "unknown", "")):
+            line = self.lines_of(name)["space"]
+            self.assertTrue(line.startswith(space) and why in line, line)
+
+    def nifti(self, name, sform_code, qform_code, shift):
+        header = bytearray(352)
+        struct.pack_into("<i", header, 0, 348)
+        struct.pack_into("<8h", header, 40, 3, 2, 3, 4, 1, 1, 1, 1)
+        struct.pack_into("<hh", header, 70, 4, 16)
+        struct.pack_into("<4f", header, 76, 1, 2, 2, 2)
+        struct.pack_into("<f", header, 108, 352)
+        header[123] = 2
+        struct.pack_into("<hh6f", header, 252, qform_code, sform_code, 0, 0, 0, 5 + shift, 6, 7)
+        struct.pack_into("<12f", header, 280, 2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 2, 7)
+        header[344:348] = b"n+1\0"
+        self.path(name).write_bytes(bytes(header) + struct.pack("<24h", *range(24)))
+
+    def test_info_reports_sform_and_qform_that_disagree(self):
+        for name, shift, warned in (("agree.nii", 0, False), ("differ.nii", 3, True)):
+            self.nifti(name, 4, 1, shift)
+            words = self.succeeds("info", name)
+            self.assertEqual("disagree by up to 3.0" in words, warned, words)
+            self.assertIn("scanner-ras (NIfTI sform, code 4 (MNI 152))", words)
+
+    def test_a_volume_of_unknown_space_is_refused_with_the_option_that_resolves_it(self):
+        self.nifti("lost.nii", 0, 0, 0)
+        self.assertIn("unknown", self.lines_of("lost.nii")["space"])
+        self.assertIn("--space scanner-ras", self.fails(2, "convert", "lost.nii", "v.mgz"))
+        self.succeeds("convert", "lost.nii", "v.mgz", "--space", "scanner-ras")
+        self.assertIn("scanner-ras", self.lines_of("v.mgz")["space"])
+
+
+class Data(Formats):
+    def test_numbers_survive_every_format_of_numbers(self):
+        for middle in ("t.shape.gii", "t.func.gii", "t.mgh", "t.mgz", "t.txt"):
+            self.converts("lh.thickness", middle)
+            self.converts("lh.white", "back.thickness", "--data", middle)
+            self.assertEqual(self.bytes("back.thickness"), self.bytes("lh.thickness"), middle)
+
+    def test_nan_survives_lists_of_vertices(self):
+        values = [float("nan") if i % 3 else i / 7 for i in range(81)]
+        curv(self.path("lh.sparse"), values, len(self.faces))
+        self.converts("lh.sparse", "lh.w")
+        self.assertIn("give the surface", self.fails(5, "convert", "lh.w", "x.shape.gii"))
+        self.converts("lh.white", "back.curv", "--data", "lh.w")
+        self.assertEqual(self.bytes("back.curv"), self.bytes("lh.sparse"))
+
+    def test_annotations_survive_as_arrays_and_say_what_gifti_merges(self):
+        self.annot("lh.parts.annot")
+        self.converts("lh.white", "s.vtp", "--data", "lh.parts.annot")
+        self.converts("s.vtp", "back.parts.annot", "--array", "parts")
+        self.assertEqual(self.bytes("back.parts.annot"), self.bytes("lh.parts.annot"))
+        said = self.converts("lh.parts.annot", "parts.label.gii")
+        self.assertIn("8 vertices without region (-1) become label 0", said)
+        self.there_and_back("parts.label.gii", "p.annot", "parts2.label.gii")
+        self.assertIn("front & centre", self.succeeds("info", "p.annot"))
+        self.assertIn("Names and colours", self.converts("lh.parts.annot", "parts.curv"))
+
+    def test_labels_survive_with_values(self):
+        rows = [f"{i}  {p[0]:g}  {p[1]:g}  {p[2]:g} {i / 8:g}" for i, p in enumerate(self.points) if i % 4 == 0]
+        self.path("lh.some.label").write_text(
+            "\n".join(["#!ascii label  , from subject vox2ras=TkReg", str(len(rows)), *rows]) + "\n")
+        self.converts("lh.white", "s.vtp", "--data", "lh.some.label")
+        self.converts("s.vtp", "back.label", "--array", "some", "-q")
+        back, source = (self.path(name).read_text().splitlines() for name in ("back.label", "lh.some.label"))
+        self.assertEqual(back[:2], source[:2])
+        for ours, theirs in zip(back[2:], source[2:]):
+            for a, b in zip(ours.split(), theirs.split()):
+                self.assertAlmostEqual(float(a), float(b), places=5)
+        self.assertIn("21", self.succeeds("info", "lh.some.label"))
+        self.assertIn("set of vertices", self.fails(2, "convert", "lh.thickness", "no.label"))
+
+    def test_tables_are_made_up_only_with_words_and_never_for_fractions(self):
+        curv(self.path("lh.numbers"), [float(i % 5) for i in range(81)])
+        for name in ("n.annot", "n.label.gii"):
+            self.assertIn("made up", self.converts("lh.numbers", name))
+        self.assertIn("regions of n", self.succeeds("info", "n.annot"))
+        self.assertIn("whole numbers", self.fails(2, "convert", "lh.thickness", "t.annot"))
+
+    def test_data_alone_are_no_surface_and_say_what_to_do(self):
+        self.assertIn("--data", self.fails(2, "convert", "lh.thickness", "s.vtp"))
+        self.assertIn("read only", self.fails(2, "convert", "lh.thickness", "s.dscalar.nii"))
+
+    def test_sparse_gifti_becomes_dense_on_its_surface(self):
+        array = ('<DataArray Intent="NIFTI_INTENT_{}" DataType="NIFTI_TYPE_{}" ArrayIndexingOrder="RowMajorOrder" '
+                 'Dimensionality="1" Dim0="2" Encoding="ASCII" Endian="LittleEndian"><Data>{}</Data></DataArray>')
+        self.path("s.func.gii").write_text('<?xml version="1.0"?><GIFTI Version="1.0" NumberOfDataArrays="2">' +
+                                           array.format("NODE_INDEX", "INT32", "4 1") +
+                                           array.format("SHAPE", "FLOAT32", "7 8") + "</GIFTI>")
+        self.assertIn("2", self.lines_of("s.func.gii")["vertices"])
+        self.fails(5, "convert", "s.func.gii", "d.txt")
+        self.succeeds("convert", "lh.white", "d.txt", "--data", "s.func.gii", "-q")
+        lines = self.path("d.txt").read_text().split()
+        self.assertEqual((lines[1], lines[4], lines.count("n/a")), ("8", "7", 79))
+
+    @needs_nibabel
+    def test_cifti_gives_each_surface_its_values(self):
+        axes = nibabel.cifti2.BrainModelAxis
+        left = axes.from_surface(np.arange(1, 81), 81, "CortexLeft")
+        right = axes.from_surface(np.arange(70), 81, "CortexRight")
+        models = left + right + axes.from_mask(np.ones((2, 1, 1)), "ThalamusLeft", np.eye(4))
+        values = np.arange(2 * len(models), dtype="f4").reshape(2, -1)
+        nibabel.save(nibabel.Cifti2Image(values, (nibabel.cifti2.ScalarAxis(["a", "b"]), models)),
+                     self.path("x.dscalar.nii"))
+        self.assertIn("80 of 81 vertices", self.succeeds("info", "x.dscalar.nii"))
+        self.assertIn("CortexRight", self.fails(5, "convert", "x.dscalar.nii", "x.func.gii"))
+        said = self.converts("x.dscalar.nii", "x.func.gii", "--structure", "CortexLeft")
+        self.assertIn("CortexRight, 2 voxels", said)
+        image = nibabel.load(self.path("x.func.gii"))
+        for row, array in zip(values, image.darrays):
+            np.testing.assert_array_equal(array.data, np.concatenate([[np.nan], row[:80]]).astype("f4"))
+        self.assertEqual(image.meta["AnatomicalStructurePrimary"], "CortexLeft")
+
+
+class Volumes(Formats):
+    def test_voxels_and_affine_survive_nifti_and_mgh(self):
+        source = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
+        self.succeeds("convert", source, "a.nii", "-q")
+        for middle in ("b.nii.gz", "b.mgh", "b.mgz"):
+            self.succeeds("convert", "a.nii", middle, "-q")
+            self.succeeds("convert", middle, "c.nii", "-q")
+            self.assertEqual(self.bytes("c.nii"), self.bytes("a.nii"), middle)
+
+    @needs_nibabel
+    def test_nibabel_reads_the_same_volume(self):
+        rotation, _ = np.linalg.qr(np.array([[1, 0.2, 0.1], [-0.3, 1, 0.2], [0.1, -0.2, 1]]))
+        affine = np.eye(4)
+        affine[:3, :3], affine[:3, 3] = rotation * [1.25, 0.5, 2], (7, -60.5, 33)
+        for kind in ("u1", "i2", "f4"):
+            voxels = (np.arange(4 * 5 * 6).reshape(4, 5, 6) % 200).astype(kind)
+            image = nibabel.Nifti1Image(voxels, affine)
+            image.header.set_xyzt_units("mm")
+            nibabel.save(image, self.path("o.nii.gz"))
+            for name in ("p.nii", "p.nii.gz", "p.mgh", "p.mgz"):
+                self.succeeds("convert", "o.nii.gz", name, "-q")
+                ours = nibabel.load(self.path(name))
+                np.testing.assert_array_equal(np.asanyarray(ours.dataobj), voxels)
+                np.testing.assert_allclose(ours.affine, affine, atol=2e-5)
+
+    @needs_nibabel
+    def test_several_frames_need_a_choice(self):
+        voxels = np.arange(2 * 3 * 4 * 3, dtype="f4").reshape(2, 3, 4, 3)
+        nibabel.save(nibabel.Nifti1Image(voxels, np.diag([1, 2, 3, 1])), self.path("t.nii"))
+        self.assertIn("--frame 0 to 2", self.fails(2, "convert", "t.nii", "f.mgz"))
+        self.assertIn("2 other frames", self.converts("t.nii", "f.mgz", "--frame", "2"))
+        np.testing.assert_array_equal(nibabel.load(self.path("f.mgz")).get_fdata(), voxels[..., 2])
+        self.fails(5, "convert", "t.nii", "f.mgz", "--frame", "3")
+
+    def test_kinds_that_do_not_become_each_other_are_refused(self):
+        volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
+        self.fails(5, "convert", volume, "s.vtp")
+        self.fails(2, "convert", "lh.white", "v.nii")
+        self.fails(2, "convert", volume, "v.nii", "--data", "lh.thickness")
+        self.fails(2, "convert", "lh.white", "s.vtp", "--frame", "1")
+
+
+@needs_nibabel
+class Oracles(Formats):
+    def setUp(self):
+        super().setUp()
+        self.succeeds("convert", "lh.white", "s.surf.gii", "-q")
+
+    def test_nibabel_reads_what_convert_writes(self):
+        points, faces, meta = nibabel.freesurfer.read_geometry(self.path("lh.white"), read_metadata=True)
+        self.succeeds("convert", "s.surf.gii", "back.white", "-q")
+        ours = nibabel.freesurfer.read_geometry(self.path("back.white"), read_metadata=True)
+        np.testing.assert_allclose(ours[0], points, atol=1e-5)
+        np.testing.assert_array_equal(ours[1], faces)
+        np.testing.assert_allclose(ours[2]["cras"], meta["cras"])
+        gifti = nibabel.load(self.path("s.surf.gii"))
+        np.testing.assert_allclose(gifti.darrays[0].data, points @ np.array(D_P_INVERSE).T + meta["cras"], atol=1e-5)
+        for name in ("t.shape.gii", "t.mgz"):
+            self.succeeds("convert", "lh.thickness", name, "-q")
+        np.testing.assert_array_equal(nibabel.load(self.path("t.shape.gii")).darrays[0].data, np.float32(self.values))
+        np.testing.assert_array_equal(nibabel.load(self.path("t.mgz")).get_fdata().ravel(), np.float32(self.values))
+
+    @unittest.skipUnless(shutil.which("wb_command"), "wb_command is not installed")
+    def test_workbench_accepts_them_and_agrees_on_area_distortion(self):
+        self.succeeds("map", "mean-value", "s.surf.gii", "-o", "m.vtp", "-q")
+        self.succeeds("convert", "m.vtp", "m.surf.gii", "-q")
+        for name in ("s.surf.gii", "m.surf.gii"):
+            done = subprocess.run(["wb_command", "-file-information", self.path(name)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        subprocess.run(["wb_command", "-surface-distortion", self.path("s.surf.gii"), self.path("m.surf.gii"),
+                        self.path("d.func.gii")], check=True, capture_output=True)
+        theirs = nibabel.load(self.path("d.func.gii")).darrays[0].data
+        before, after = (nibabel.load(self.path(name)).darrays[0].data.astype(float)
+                         for name in ("s.surf.gii", "m.surf.gii"))
+        faces = np.array(self.faces)
+
+        def one_third_stars(points):
+            a, b, c = points[faces].swapaxes(0, 1)
+            area = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+            return np.bincount(faces.ravel(), np.repeat(area / 3, 3)), area.sum()
+
+        (old, old_sum), (new, new_sum) = one_third_stars(before), one_third_stars(after)
+        np.testing.assert_allclose(theirs, np.log2(new / old), atol=1e-4)
+        self.succeeds("convert", "m.vtp", "a.func.gii", "--array", "VertexAreaDistortion", "-q")
+        ours = nibabel.load(self.path("a.func.gii")).darrays[0].data
+        np.testing.assert_allclose(ours, theirs - np.log2(new_sum / old_sum), atol=1e-4)
+
+
+class Whole(Formats):
+    """Outputs are there whole or not at all."""
+
+    def outputs(self):
+        volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
+        big = grid(self.path("big.off"), 60)
+        curv(self.path("lh.long"), [float(i % 2000) for i in range(3721)])
+        for name in ("o.vtp", "o.vtk", "o.surf.gii", "o.ply", "o.obj", "o.off", "o.stl", "o.mz3", "lh.o"):
+            yield big, name
+        for name in ("o.shape.gii", "o.label.gii", "o.annot", "o.w", "o.mgh", "o.mgz", "o.txt", "o.curv"):
+            yield "lh.long", name
+        for name in ("o.nii", "o.nii.gz", "o.mgz"):
+            yield volume, name
+
+    def test_a_full_disk_is_5_and_leaves_the_old_file(self):
+        for source, name in self.outputs():
+            self.path(name).write_bytes(b"old")
+            before = set(self.here.iterdir())
+            result = self.limited("convert", source, name, "-q", setup="trap '' XFSZ; ulimit -f 1;")
+            self.assertEqual(result.returncode, 5, (name, result.stderr))
+            self.assertIn("cannot be", result.stderr)
+            self.assertEqual(self.bytes(name), b"old", name)
+            self.assertEqual(set(self.here.iterdir()), before, name)
+            self.path(name).unlink()
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can mount a small disk")
+    def test_a_disk_that_is_full_is_5_and_leaves_nothing(self):
+        disk = self.path("disk")
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk], capture_output=True).returncode:
+            self.skipTest("a file system cannot be mounted here")
+        try:
+            for source, name in self.outputs():
+                result = self.run_verb("convert", source, disk / name, "-q")
+                if result.returncode == 0:  # small enough
+                    self.assertEqual(self.run_verb("info", disk / name).returncode in (0, 5), True)
+                    (disk / name).unlink()
+                    continue
+                self.assertEqual(result.returncode, 5, (name, result.stderr))
+                self.assertEqual(list(disk.iterdir()), [], name)
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    @unittest.skipIf(os.geteuid() == 0 and not shutil.which("setpriv"), "root may write anywhere")
+    def test_a_folder_that_is_read_only_is_5(self):
+        closed = self.path("closed")
+        closed.mkdir()
+        for path in (self.here, *self.here.iterdir()):
+            path.chmod(0o755 if path.is_dir() else 0o644)
+        closed.chmod(0o555)
+        word = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
+        result = subprocess.run([*word, ARGUMENTS.authalic, "convert", "lh.white", "closed/o.vtp"], cwd=self.here,
+                                capture_output=True, text=True)
+        self.assertEqual(result.returncode, 5, result.stderr)
+        self.assertEqual(list(closed.iterdir()), [])
+
+    def test_killed_in_the_middle_the_old_file_is_there_or_the_new(self):
+        big = grid(self.path("big.off"), 300)
+        self.succeeds("convert", big, "whole.surf.gii")
+        new = self.bytes("whole.surf.gii")
+        seen = set()
+        for attempt in range(12):
+            self.path("o.surf.gii").write_bytes(b"old")
+            process = subprocess.Popen([ARGUMENTS.authalic, "convert", big, "o.surf.gii"], cwd=self.here,
+                                       stderr=subprocess.DEVNULL)
+            time.sleep(0.04 * attempt)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            content = self.bytes("o.surf.gii")
+            self.assertIn(content, (b"old", new))
+            seen.add(content == new)
+        self.assertIn(False, seen)
+
+
+class Hostile(Formats):
+    def test_a_kilobyte_that_claims_a_cube_of_32767_is_refused_without_the_memory(self):
+        mgh = struct.pack(">6i", 1, 32767, 32767, 32767, 1, 3).ljust(1024, b"\0")
+        nifti = bytearray(1024)
+        struct.pack_into("<i", nifti, 0, 348)
+        struct.pack_into("<8h", nifti, 40, 3, 32767, 32767, 32767, 1, 1, 1, 1)
+        struct.pack_into("<hh", nifti, 70, 16, 32)
+        struct.pack_into("<4f", nifti, 76, 1, 1, 1, 1)
+        struct.pack_into("<f", nifti, 108, 352)
+        nifti[344:348] = b"n+1\0"
+        surface = b"\xff\xff\xfex\n\n" + struct.pack(">ii", 2**29, 2**29)
+        for name, data in (("c.mgh", mgh), ("c.nii", bytes(nifti)), ("c.nii.gz", gzip.compress(bytes(nifti))),
+                           ("c.mgz", gzip.compress(mgh)), ("lh.c", surface.ljust(1024, b"\0"))):
+            self.path(name).write_bytes(data)
+            begin = time.monotonic()
+            # Libraries alone take address space; 140 TB, or even 12 GB, would not fit.
+            result = self.limited("info", name, setup="ulimit -v 2000000;")
+            self.assertEqual(result.returncode, 5, (name, result.stderr))
+            self.assertEqual(len(result.stderr.splitlines()), 1)
+            self.assertLess(time.monotonic() - begin, 5, "0.1 s on an idle machine")
+
+
+if __name__ == "__main__":
+    main("test_formats.py")
