@@ -172,7 +172,7 @@ double FaceMatch::advance(Coordinates& image) {
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
   double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
   for (int shorter = 0; shorter < kAttempts; ++shorter, part *= kShorter) {
-    Coordinates next = areas_.moved(image, slowed, part);
+    Coordinates next = areas_.eased(areas_.moved(image, slowed, part));
     if (!(objective(next) < before)) continue;
     image = std::move(next);
     adapt(part);

@@ -98,6 +98,19 @@ double VertexMatch::residual(const Coordinates& image) const {
   return worst;
 }
 
+// A tip that does not run by itself stays in the middle between the ends of its base.
+void VertexMatch::letTipsRide() {
+  for (const EarOnCircle& ear : areas_.slidingEars()) {
+    for (int i = starts_[at(ear.tip)]; i < starts_[at(ear.tip) + 1]; ++i) {
+      for (const int end : {ear.from, ear.to}) {
+        const auto begin = stars_.begin() + starts_[at(end)], last = stars_.begin() + starts_[at(end) + 1];
+        const auto place = std::lower_bound(begin, last, stars_[at(i)]) - stars_.begin();
+        jacobian_[2 * static_cast<std::size_t>(place)] += 0.5 * jacobian_[2 * at(i)];
+      }
+    }
+  }
+}
+
 void VertexMatch::fillJacobian(const Coordinates& image) {
   frames_ = areas_.frames(image);
   const AreaFunctional::Gradients gradients = areas_.gradients(image, frames_);
@@ -111,6 +124,7 @@ void VertexMatch::fillJacobian(const Coordinates& image) {
       }
     }
   }
+  letTipsRide();
 }
 
 // The shortest displacement, in the metric of the weights, that solves the linearised equations.
@@ -141,6 +155,9 @@ Coordinates VertexMatch::step(const Eigen::VectorXd& error) {
         sum += jacobian_[2 * at(i) + at(j)] * multipliers[stars_[at(i)]];
       step[areas_.unknown(w, j)] = -mobility_[w] * sum;
     }
+  }
+  for (const EarOnCircle& ear : areas_.slidingEars()) {
+    step[areas_.unknown(ear.tip, 0)] += 0.5 * (step[areas_.unknown(ear.from, 0)] + step[areas_.unknown(ear.to, 0)]);
   }
   return areas_.displacement(frames_, step);
 }
