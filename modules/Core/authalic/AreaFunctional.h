@@ -1,5 +1,6 @@
 /// @file
-/// The areas of the faces of an image as functions of what its vertices may do. One class per kind of domain.
+/// The areas of the faces of an image as functions of what its vertices may do, one class per kind of domain.
+/// Private to authalic/.
 #pragma once
 
 #include <vector>

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "Core/authalic/StarConstraint.h"
 #include "Core/geometry/Areas.h"
 
 namespace authalic {
@@ -87,16 +88,7 @@ Eigen::VectorXd VertexMatch::error(const Coordinates& image) const {
   return vertexStars(a, areas_.faces(), areas_.vertexCount()) - a.sum() * targets_;
 }
 
-double VertexMatch::residual(const Coordinates& image) const {
-  const Eigen::VectorXd a = areas_.areas(image);
-  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  const Eigen::VectorXd stars = vertexStars(a / a.sum(), areas_.faces(), areas_.vertexCount());
-  double worst = 0;
-  for (Eigen::Index v = 0; v < stars.size(); ++v) {
-    if (targets_[v] > 0) worst = std::max(worst, std::abs(std::log(stars[v] / targets_[v])));
-  }
-  return worst;
-}
+double VertexMatch::residual(const Coordinates& image) const { return starResidual(areas_, targets_, image); }
 
 // A tip that does not run by itself stays in the middle between the ends of its base.
 void VertexMatch::letTipsRide() {
