@@ -9,7 +9,7 @@
 namespace authalic {
 namespace {
 
-constexpr int kRounds = 5;
+constexpr int kRounds = 8;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps

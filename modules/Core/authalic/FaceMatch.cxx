@@ -63,7 +63,7 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
 
 void FaceMatch::restart(double goal) noexcept {
   failures_ = 0;
-  leastPull_ = usualPull_ * goal * goal;
+  leastPull_ = std::min(leastPull_, usualPull_ * goal * goal);
   endPull_ = kEndPull * leastPull_;
 }
 

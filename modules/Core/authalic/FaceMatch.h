@@ -55,7 +55,7 @@ class FaceMatch {
 
   /// Five steps in a row were 0.
   [[nodiscard]] bool stalled() const noexcept { return failures_ > 4; }
-  /// @param goal  residual to come: τ stops falling where it would matter no more
+  /// @param goal  residual to come: τ stops falling where it would matter no more, and does not rise again
   void restart(double goal) noexcept;
   /// Allows smaller ε and τ than so far: slides along curves of equal area, which buy the last errors with shear.
   void relax() noexcept;
@@ -83,7 +83,7 @@ class FaceMatch {
   AreaFunctional::Gradients gradients_;
   Eigen::VectorXd weights_, right_, stiffness_;
   double damping_ = kFirstDamping, leastDamping_ = kUsualDamping, dampingOnStars_ = kFirstDampingOnStars;
-  double pull_, leastPull_ = 0, endPull_ = 0;  // τ
+  double pull_, leastPull_ = 1, endPull_ = 0;  // τ
   double pullFalls_;                           // factor per step
   double usualPull_;                           // leastPull_ by the square of the goal
   int failures_ = 0;
