@@ -29,6 +29,13 @@ const Points2& AreaFunctional::shifts() const {
   return none;
 }
 
+std::vector<Coordinates> AreaFunctional::jointMoves(const Coordinates&) const { return {}; }
+
+Coordinates AreaFunctional::slowed(const Coordinates&, const Coordinates& displacement,
+                                   const Eigen::VectorXd& part) const {
+  return part.asDiagonal() * displacement;
+}
+
 AreaFunctional::Corners AreaFunctional::corners(const Coordinates& image, int face) const {
   Corners result(3, image.cols());
   for (int k = 0; k < 3; ++k) result.row(k) = image.row(faces_(face, k));

@@ -53,6 +53,11 @@ class AreaFunctional {
   /// image + t · displacement, back on the domain.
   [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
                                           double t) const = 0;
+  /// Displacements that move many vertices at once, free like the unknowns: of circles in the plane. By default none.
+  [[nodiscard]] virtual std::vector<Coordinates> jointMoves(const Coordinates& image) const;
+  /// A displacement with every row made shorter to its part in [0, 1]; joint moves stay such.
+  [[nodiscard]] virtual Coordinates slowed(const Coordinates& image, const Coordinates& displacement,
+                                           const Eigen::VectorXd& part) const;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
   /// 0 for a folded face. Exact for straight motion; see moved().
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;

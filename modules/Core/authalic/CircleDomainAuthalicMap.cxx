@@ -20,15 +20,17 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
   options.validate(surface);
   requireTargetOf(surface.mesh(), target);
   Stopwatch watch;
-  const CircleDomainStart start = circleDomainStart(surface, target, options, execution.part(0, 0.3));
+  CircleDomainStart start = circleDomainStart(surface, target, options, execution.part(0, 0.3));
   CircleDomainAuthalicMapResult result;
   result.status = Status::Cancelled;
   if (start.image.rows() == 0) return result;
   const double startSeconds = watch.lap();
-  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
+  const CircleFreedom freedom{!options.holdCentres && !options.concentric, options.freeRadii};
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount(), freedom);
   AreaSolveResult solved =
-      solveAreas(areas, surface.mesh(), target, start.image, options.solve, execution.part(0.3, 1));
-  static_cast<CircleDomainImage&>(result) = imageOf(start, solved.image);
+      solveAreas(areas, surface.mesh(), target, areas.begun(start.image), options.solve, execution.part(0.3, 1));
+  const Points2 image = areas.ended(solved.image, start.loops);
+  static_cast<CircleDomainImage&>(result) = imageOf(start, image);
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());

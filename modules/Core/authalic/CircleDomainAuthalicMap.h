@@ -9,6 +9,8 @@ namespace authalic {
 
 struct CircleDomainAuthalicMapOptions : CircleDomainHoles {
   AuthalicMapOptions solve;  ///< its domain is not read
+  bool holdCentres = false;  ///< where the conformal map has them; concentric ones stay in any case
+  bool freeRadii = false;    ///< radii are unknowns too; hole areas must be empty
 
   /// @throws as CircleDomainHoles::validate and AuthalicMapOptions::validate
   void validate(const PolyAnnulusMesh& surface) const;

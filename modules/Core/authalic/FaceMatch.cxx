@@ -116,21 +116,25 @@ void FaceMatch::linearise(const Coordinates& image) {
 
 void FaceMatch::fillElement(Eigen::Index face) {
   const AreaFunctional::Directions directions = areas_.directions(frames_, static_cast<int>(face));
-  const double damping = damping_ * stiffness_[face];
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++value) {
-      const int k = a / 2, l = b / 2;
-      const double stiffness = (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
       *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
-               stiffness * directions.row(a).dot(directions.row(b));
+               edgeStiffness(face, a / 2, b / 2) * directions.row(a).dot(directions.row(b));
     }
   }
 }
 
-Coordinates FaceMatch::step() {
+double FaceMatch::edgeStiffness(Eigen::Index face, int k, int l) const {
+  const double damping = damping_ * stiffness_[face];
+  return (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
+}
+
+Coordinates FaceMatch::step(const Coordinates& image) {
   for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f);
   solver_.factorize(assembly_.assemble(values_));
+  const std::vector<Coordinates> moves = areas_.jointMoves(image);
+  if (!moves.empty()) return jointStep(image, moves);
   return areas_.displacement(frames_, solver_.solve(right_));
 }
 
@@ -146,7 +150,7 @@ Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordi
       }
     }
     if (part.minCoeff() == 1) break;
-    displacement.array().colwise() *= part.array();
+    displacement = areas_.slowed(image, displacement, part);
   }
   return displacement;
 }
@@ -167,7 +171,7 @@ void FaceMatch::adapt(double step) {
 double FaceMatch::advance(Coordinates& image) {
   linearise(image);
   const double before = objective(image);
-  const Coordinates wanted = step();
+  const Coordinates wanted = step(image);
   stiffen(image, wanted);
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
   double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
