@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
+#include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/LevelShares.h"
+#include "Core/authalic/RoundHoles.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -157,10 +161,78 @@ Points2 stretched(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
   return std::move(unfolded.image);
 }
 
+// The surface with a cone on every hole.
+TriangleMesh filled(const PolyAnnulusMesh& surface, int outer) {
+  const TriangleMesh& mesh = surface.mesh();
+  std::vector<Eigen::RowVector3i> cones;
+  std::vector<Eigen::RowVector3d> tips;
+  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
+    const std::vector<int>& loop = surface.loops()[k];
+    if (static_cast<int>(k) == outer) continue;
+    const int tip = mesh.vertexCount() + static_cast<int>(tips.size());
+    Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      mean += mesh.points().row(loop[i]) / static_cast<double>(loop.size());
+      cones.emplace_back(loop[(i + 1) % loop.size()], loop[i], tip);
+    }
+    tips.push_back(mean);
+  }
+  Points3 points(mesh.vertexCount() + static_cast<Eigen::Index>(tips.size()), 3);
+  points.topRows(mesh.vertexCount()) = mesh.points();
+  for (std::size_t t = 0; t < tips.size(); ++t) points.row(mesh.vertexCount() + static_cast<Eigen::Index>(t)) = tips[t];
+  Faces faces(mesh.faceCount() + static_cast<Eigen::Index>(cones.size()), 3);
+  faces.topRows(mesh.faceCount()) = mesh.faces();
+  for (std::size_t c = 0; c < cones.size(); ++c) faces.row(mesh.faceCount() + static_cast<Eigen::Index>(c)) = cones[c];
+  return TriangleMesh(std::move(points), std::move(faces));
+}
+
+CircleDomainStart filledStart(const PolyAnnulusMesh& surface, const TargetMeasure& target, CircleDomainStart start,
+                              const Execution& execution) {
+  const DiskMesh disk(filled(surface, start.outerLoop));
+  const Eigen::VectorXd areas = faceAreas(disk.mesh());
+  const double ground = areas.head(surface.mesh().faceCount()).sum();
+  double whole = ground;
+  for (const double area : start.holeAreas) whole += area;
+  Eigen::VectorXd density(areas.size());
+  density.head(surface.mesh().faceCount()) =
+      (target.faces().array() * ground / areas.head(surface.mesh().faceCount()).array().max(1e-300)).max(1e-300);
+  Eigen::Index f = surface.mesh().faceCount();
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
+    if (static_cast<int>(k) == start.outerLoop) continue;
+    const auto count = static_cast<Eigen::Index>(surface.loops()[k].size());
+    density.segment(f, count).setConstant(start.holeAreas[shares.size()] / areas.segment(f, count).sum());
+    shares.push_back(start.holeAreas[shares.size()] / whole);
+    f += count;
+  }
+  AuthalicMapOptions near;
+  near.tolerance = 0.1;
+  near.vertexTolerance = 1e300;
+  near.maxIterations = 30;
+  const AuthalicMapResult map = authalicMap(disk, TargetMeasure::fromFaceDensity(disk.mesh(), density), near, {},
+                                            execution.part(0, 0.7));
+  const RoundedHoles round = roundHoles(surface, map.image.topRows(surface.mesh().vertexCount()), shares,
+                                        start.outerLoop, near.solver, execution.part(0.7, 1));
+  start.image = round.image;
+  start.loops = round.loops;
+  start.pockets = round.pockets;
+  if (std::getenv("HOLESDBG")) fprintf(stderr, "filled: status %d it %d face %g folded %d, after rounding %d\n", int(map.status), map.iterations, map.faceResidual, map.flippedFaces, round.folded);
+  return start;
+}
+
 }  // namespace
 
 CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                                     const CircleDomainHoles& holes, const Execution& execution) {
+  if (!holes.concentric && std::getenv("HOLESFILL")) {
+    CircleDomainStart start;
+    start.outerLoop = holes.outerLoop >= 0 ? holes.outerLoop : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
+    start.holeAreas = holes.holeAreas;
+    for (std::size_t k = 0; k < surface.loops().size() && holes.holeAreas.empty(); ++k) {
+      if (static_cast<int>(k) != start.outerLoop) start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
+    }
+    return filledStart(surface, target, start, execution);
+  }
   const ConformalStart conformal = conformalStart(surface, holes, execution.part(0, 0.7));
   CircleDomainStart start;
   if (conformal.status == Status::Cancelled) return start;
