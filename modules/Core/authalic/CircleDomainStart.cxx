@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FilledHolesStart.h"
 #include "Core/authalic/LevelShares.h"
-#include "Core/authalic/RoundHoles.h"
+#include "Core/authalic/LieFlowStages.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -25,6 +25,7 @@ namespace {
 constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
 constexpr double kSmallestRadius = 1e-12;  // of a hole anywhere in the disk: coordinates have 16 digits
 constexpr double kTight = 0.95;     // of the room around a hole
+constexpr double kWithinSight = 0.5;  // mean |ln r| of the stars: a conformal start is good enough
 
 double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
@@ -161,94 +162,82 @@ Points2 stretched(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
   return std::move(unfolded.image);
 }
 
-// The surface with a cone on every hole.
-TriangleMesh filled(const PolyAnnulusMesh& surface, int outer) {
-  const TriangleMesh& mesh = surface.mesh();
-  std::vector<Eigen::RowVector3i> cones;
-  std::vector<Eigen::RowVector3d> tips;
-  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
-    const std::vector<int>& loop = surface.loops()[k];
-    if (static_cast<int>(k) == outer) continue;
-    const int tip = mesh.vertexCount() + static_cast<int>(tips.size());
-    Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      mean += mesh.points().row(loop[i]) / static_cast<double>(loop.size());
-      cones.emplace_back(loop[(i + 1) % loop.size()], loop[i], tip);
-    }
-    tips.push_back(mean);
+// Where the surface's own areas are asked for, those of the cones.
+std::vector<double> areasOfHoles(const PolyAnnulusMesh& surface, const std::vector<double>& asked, int outer) {
+  std::vector<double> areas = asked;
+  for (std::size_t k = 0; k < surface.loops().size() && asked.empty(); ++k) {
+    if (static_cast<int>(k) != outer) areas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
   }
-  Points3 points(mesh.vertexCount() + static_cast<Eigen::Index>(tips.size()), 3);
-  points.topRows(mesh.vertexCount()) = mesh.points();
-  for (std::size_t t = 0; t < tips.size(); ++t) points.row(mesh.vertexCount() + static_cast<Eigen::Index>(t)) = tips[t];
-  Faces faces(mesh.faceCount() + static_cast<Eigen::Index>(cones.size()), 3);
-  faces.topRows(mesh.faceCount()) = mesh.faces();
-  for (std::size_t c = 0; c < cones.size(); ++c) faces.row(mesh.faceCount() + static_cast<Eigen::Index>(c)) = cones[c];
-  return TriangleMesh(std::move(points), std::move(faces));
+  return areas;
 }
 
-CircleDomainStart filledStart(const PolyAnnulusMesh& surface, const TargetMeasure& target, CircleDomainStart start,
-                              const Execution& execution) {
-  const DiskMesh disk(filled(surface, start.outerLoop));
-  const Eigen::VectorXd areas = faceAreas(disk.mesh());
-  const double ground = areas.head(surface.mesh().faceCount()).sum();
-  double whole = ground;
-  for (const double area : start.holeAreas) whole += area;
-  Eigen::VectorXd density(areas.size());
-  density.head(surface.mesh().faceCount()) =
-      (target.faces().array() * ground / areas.head(surface.mesh().faceCount()).array().max(1e-300)).max(1e-300);
-  Eigen::Index f = surface.mesh().faceCount();
-  std::vector<double> shares;
-  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
-    if (static_cast<int>(k) == start.outerLoop) continue;
-    const auto count = static_cast<Eigen::Index>(surface.loops()[k].size());
-    density.segment(f, count).setConstant(start.holeAreas[shares.size()] / areas.segment(f, count).sum());
-    shares.push_back(start.holeAreas[shares.size()] / whole);
-    f += count;
-  }
-  AuthalicMapOptions near;
-  near.tolerance = 0.1;
-  near.vertexTolerance = 1e300;
-  near.maxIterations = 30;
-  const AuthalicMapResult map = authalicMap(disk, TargetMeasure::fromFaceDensity(disk.mesh(), density), near, {},
-                                            execution.part(0, 0.7));
-  const RoundedHoles round = roundHoles(surface, map.image.topRows(surface.mesh().vertexCount()), shares,
-                                        start.outerLoop, near.solver, execution.part(0.7, 1));
-  start.image = round.image;
-  start.loops = round.loops;
-  start.pockets = round.pockets;
-  if (std::getenv("HOLESDBG")) fprintf(stderr, "filled: status %d it %d face %g folded %d, after rounding %d\n", int(map.status), map.iterations, map.faceResidual, map.flippedFaces, round.folded);
-  return start;
-}
-
-}  // namespace
-
-CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
-                                    const CircleDomainHoles& holes, const Execution& execution) {
-  if (!holes.concentric && std::getenv("HOLESFILL")) {
-    CircleDomainStart start;
-    start.outerLoop = holes.outerLoop >= 0 ? holes.outerLoop : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
-    start.holeAreas = holes.holeAreas;
-    for (std::size_t k = 0; k < surface.loops().size() && holes.holeAreas.empty(); ++k) {
-      if (static_cast<int>(k) != start.outerLoop) start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
-    }
-    return filledStart(surface, target, start, execution);
-  }
+CircleDomainStart fromConformal(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                const CircleDomainHoles& holes, const Execution& execution) {
   const ConformalStart conformal = conformalStart(surface, holes, execution.part(0, 0.7));
   CircleDomainStart start;
   if (conformal.status == Status::Cancelled) return start;
   start.outerLoop = conformal.outerLoop;
   start.pockets = conformal.pockets;
-  start.holeAreas = holes.holeAreas;
-  for (std::size_t k = 0; k < surface.loops().size() && holes.holeAreas.empty(); ++k) {
-    if (static_cast<int>(k) != conformal.outerLoop) {
-      start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
-    }
-  }
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
   start.loops = loopsOf(surface, conformal, start.holeAreas, holes.concentric);
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
   start.image = stretched(surface, target, areas, start.loops, holes.concentric, conformal.image,
                           execution.part(0.7, 1));
   return start;
+}
+
+CircleDomainStart fromFilled(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                             const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  CircleDomainStart start;
+  start.road = HolesRoad::Filled;
+  start.outerLoop = holes.outerLoop >= 0 ? holes.outerLoop
+                                           : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
+  RoundedHoles round = filledHolesStart(surface, target, start.holeAreas, start.outerLoop, backend, execution);
+  if (execution.cancelled()) return start;
+  if (round.folded > 0) {
+    throw GeometryError("Hole areas that fit beside each other are required, but " + std::to_string(round.folded) +
+                        " faces stay folded between round holes; take smaller hole areas.");
+  }
+  start.loops = std::move(round.loops);
+  start.pockets = round.pockets;
+  start.image = std::move(round.image);
+  return start;
+}
+
+double meanAbsLog(const PolyAnnulusMesh& surface, const TargetMeasure& target, const Points2& image) {
+  const Faces& faces = surface.mesh().faces();
+  return measureStars(vertexStars(signedFaceAreas(image, faces), faces, surface.mesh().vertexCount()),
+                      target.vertices()).meanAbsLog;
+}
+
+}  // namespace
+
+CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                    const CircleDomainHoles& holes, HolesRoad road, SolverBackend backend,
+                                    const Execution& execution) {
+  if (road == HolesRoad::Filled) return fromFilled(surface, target, holes, backend, execution);
+  if (road == HolesRoad::Conformal) return fromConformal(surface, target, holes, execution);
+  CircleDomainStart conformal;
+  std::string refused;
+  try {
+    conformal = fromConformal(surface, target, holes, execution.part(0, 0.4));
+    if (conformal.image.rows() == 0) return conformal;  // cancelled
+    if (meanAbsLog(surface, target, conformal.image) <= kWithinSight) return conformal;
+  } catch (const GeometryError& error) {
+    refused = error.what();
+  }
+  if (std::getenv("HOLESDBG")) fprintf(stderr, "conformal %g %s ", conformal.image.rows() ? meanAbsLog(surface, target, conformal.image):-1, refused.substr(0,50).c_str());
+  try {
+    CircleDomainStart filled = fromFilled(surface, target, holes, backend, execution.part(0.4, 1));
+  if (std::getenv("HOLESDBG")) fprintf(stderr, "filled %g ", filled.image.rows() ? meanAbsLog(surface, target, filled.image):-1);
+    const bool nearer = filled.image.rows() == 0 || conformal.image.rows() == 0 ||
+                        meanAbsLog(surface, target, filled.image) < meanAbsLog(surface, target, conformal.image);
+    return nearer ? filled : conformal;
+  } catch (const GeometryError& error) {
+    if (conformal.image.rows() > 0) return conformal;
+    throw;
+  }
 }
 
 CircleDomainImage imageOf(const CircleDomainStart& start, const Points2& image) {

@@ -14,7 +14,7 @@
 namespace authalic {
 namespace {
 
-constexpr int kSteps = 40;
+constexpr int kSteps = 40, kFewest = 5;
 constexpr double kMarginToFlip = 0.7;
 constexpr double kTooShort = 1e-3;         // a step that leads nowhere
 constexpr double kSmallest = 1e-4;         // of the mean area, in the weights
@@ -100,14 +100,27 @@ std::vector<double> anglesOf(const Points2& image, const std::vector<int>& loop,
   return result;
 }
 
-// Weights of the edges of every face: small faces are stiff.
-HalfEdgeWeights stiffnessOf(const Eigen::VectorXd& areas) {
+// Weights of the edges of every face: small faces and needles are stiff.
+HalfEdgeWeights stiffnessOf(const Points2& image, const Faces& faces) {
+  const Eigen::VectorXd areas = signedFaceAreas(image, faces);
   const double mean = areas.cwiseAbs().mean();
   HalfEdgeWeights weights(areas.size(), 3);
   for (Eigen::Index f = 0; f < areas.size(); ++f) {
-    weights.row(f).setConstant(mean / std::max(areas[f], kSmallest * mean));
+    const double area = std::max(areas[f], kSmallest * mean);
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+      longest = std::max(longest, (image.row(faces(f, (k + 1) % 3)) - image.row(faces(f, k))).squaredNorm());
+    }
+    weights.row(f).setConstant(std::min(longest / area * mean / area, 1e8));
   }
   return weights;
+}
+
+// With which the polygon at these angles has the area.
+double radiusFor(const std::vector<double>& angles, double area) {
+  double sines = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i) sines += std::sin(angles[i] - angles[(i + 1) % angles.size()]);
+  return std::sqrt(2 * area / sines);
 }
 
 class Rounding {
@@ -139,8 +152,8 @@ class Rounding {
         const auto i = static_cast<Eigen::Index>(v);
         if (driven_[v]) way.row(i) = goal_.row(i) - image_.row(i);
       }
-      solver.solve(stiffnessOf(signedFaceAreas(image_, faces_)), way);
-      const double part = std::min(1.0, kMarginToFlip * firstFlip(way));
+      solver.solve(stiffnessOf(image_, faces_), way);
+      const double part = std::min(1.0 / std::max(1, kFewest - step), kMarginToFlip * firstFlip(way));
       if (part < kTooShort) return false;
       image_ += part * way;
       if (part == 1) return true;
@@ -191,9 +204,11 @@ RoundedHoles roundHoles(const PolyAnnulusMesh& surface, const Points2& image, co
     angles.push_back(anglesOf(image, surface.loops()[k], circles.back().centre));
   }
   pushApart(circles);
+  const double disk = polygonArea(image, surface.loops()[static_cast<std::size_t>(outer)]);
   Rounding rounding(surface, image, backend);
   for (std::size_t k = 0, hole = 0; k < surface.loops().size(); ++k) {
     if (static_cast<int>(k) == outer) continue;
+    circles[hole].radius = radiusFor(angles[hole], shares[hole] * disk);
     rounding.aim(surface.loops()[k], angles[hole], circles[hole]);
     ++hole;
   }
