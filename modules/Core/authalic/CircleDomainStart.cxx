@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -227,10 +225,8 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
   } catch (const GeometryError& error) {
     refused = error.what();
   }
-  if (std::getenv("HOLESDBG")) fprintf(stderr, "conformal %g %s ", conformal.image.rows() ? meanAbsLog(surface, target, conformal.image):-1, refused.substr(0,50).c_str());
   try {
     CircleDomainStart filled = fromFilled(surface, target, holes, backend, execution.part(0.4, 1));
-  if (std::getenv("HOLESDBG")) fprintf(stderr, "filled %g ", filled.image.rows() ? meanAbsLog(surface, target, filled.image):-1);
     const bool nearer = filled.image.rows() == 0 || conformal.image.rows() == 0 ||
                         meanAbsLog(surface, target, filled.image) < meanAbsLog(surface, target, conformal.image);
     return nearer ? filled : conformal;

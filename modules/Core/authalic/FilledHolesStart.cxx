@@ -1,16 +1,22 @@
 #include "Core/authalic/FilledHolesStart.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FaceMatch.h"
 #include "Core/geometry/Areas.h"
+#include "Core/geometry/Laplacian.h"
+#include "Core/topology/LoopLength.h"
 
 namespace authalic {
 namespace {
 
 constexpr double kNear = 0.1;    // residual of the faces, with holes
-constexpr int kMostSteps = 30;
+constexpr int kMostSteps = 30, kRoundingSteps = 12;
+constexpr double kStiff = 100;   // cones against the surface
 
 // The surface with a cone on every hole, tip in the mean of the loop; cones in the order of the loops after the faces.
 TriangleMesh filled(const PolyAnnulusMesh& surface, int outer) {
@@ -55,6 +61,39 @@ TargetMeasure withHoles(const PolyAnnulusMesh& surface, const TriangleMesh& whol
   return TargetMeasure::fromFaceDensity(whole, density);
 }
 
+// Cotangents of the surface; cones are flat, round and stiff.
+HalfEdgeWeights withRoundCones(const PolyAnnulusMesh& surface, const TriangleMesh& whole, int outer) {
+  HalfEdgeWeights weights = cotangentWeights(whole);
+  Eigen::Index face = surface.mesh().faceCount();
+  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
+    if (static_cast<int>(k) == outer) continue;
+    const std::vector<int>& loop = surface.loops()[k];
+    const double around = loopLength(surface.mesh(), loop);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double edge = (surface.mesh().point(loop[(i + 1) % loop.size()]) - surface.mesh().point(loop[i])).norm();
+      const double half = std::clamp(M_PI * edge / around, 1e-6, 1.0);  // of the angle at the tip
+      weights.row(face++) << kStiff * 0.5 / std::tan(2 * half), kStiff * 0.5 * std::tan(half),
+          kStiff * 0.5 * std::tan(half);
+    }
+  }
+  return weights;
+}
+
+// A few face steps of the disk with round cones, from its map.
+Points2 rounder(const DiskMesh& disk, const TargetMeasure& targets, const HalfEdgeWeights& weights, Points2 start,
+                SolverBackend backend, const Execution& execution) {
+  std::vector<LoopOnCircle> circle(1);
+  circle[0].vertices = disk.boundary();
+  const CircleDomainAreas areas(disk.mesh().faces(), circle, disk.mesh().vertexCount());
+  FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept);
+  match.restart(kNear);
+  Coordinates image = std::move(start);
+  for (int step = 0; step < kRoundingSteps && !match.stalled() && !execution.cancelled(); ++step) {
+    (void)match.advance(image);
+  }
+  return image;
+}
+
 }  // namespace
 
 RoundedHoles filledHolesStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
@@ -72,7 +111,8 @@ RoundedHoles filledHolesStart(const PolyAnnulusMesh& surface, const TargetMeasur
   for (const double area : holeAreas) whole += area;
   std::vector<double> shares;
   for (const double area : holeAreas) shares.push_back(area / whole);
-  return roundHoles(surface, map.image.topRows(surface.mesh().vertexCount()), shares, outer, backend,
+  const Points2 image = rounder(disk, targets, withRoundCones(surface, disk.mesh(), outer), map.image, backend, execution);
+  return roundHoles(surface, image.topRows(surface.mesh().vertexCount()), shares, outer, backend,
                     execution.part(0.7, 1));
 }
 

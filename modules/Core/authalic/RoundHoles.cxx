@@ -21,6 +21,7 @@ constexpr double kSmallest = 1e-4;         // of the mean area, in the weights
 constexpr double kNarrowest = 0.05;        // angle between neighbours of a loop, by the mean one
 constexpr double kGap = 0.15;              // between circles, by the smaller radius
 constexpr int kPushes = 500;
+constexpr double kThere = 1e-10;           // of a vertex to its place on the circle
 
 struct Circle {
   Eigen::RowVector2d centre{0, 0};
@@ -153,10 +154,12 @@ class Rounding {
         if (driven_[v]) way.row(i) = goal_.row(i) - image_.row(i);
       }
       solver.solve(stiffnessOf(image_, faces_), way);
-      const double part = std::min(1.0 / std::max(1, kFewest - step), kMarginToFlip * firstFlip(way));
+      way /= std::max(1, kFewest - step);
+      slow(way);
+      const double part = std::min(1.0, kMarginToFlip * firstFlip(way));
       if (part < kTooShort) return false;
       image_ += part * way;
-      if (part == 1) return true;
+      if (distance() < kThere) return true;
     }
     return false;
   }
@@ -176,10 +179,39 @@ class Rounding {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  [[nodiscard]] bool inPocket(const Faces& faces, int f) const {
+    return inPocket(faces(f, 0)) || inPocket(faces(f, 1)) || inPocket(faces(f, 2));
+  }
+
+  // Corners of faces that would collapse early go a part of the way; the others need not wait.
+  void slow(Points2& way) const {
+    for (int pass = 0; pass < 20; ++pass) {
+      Eigen::VectorXd part = Eigen::VectorXd::Ones(way.rows());
+      for (int f = 0; f < static_cast<int>(faces_.rows()); ++f) {
+        const double flip = inPocket(faces_, f) ? 1 : planarFirstFlip(faces_, image_, way, f);
+        for (int k = 0; k < 3 && flip < 1; ++k) {
+          part[faces_(f, k)] = std::min(part[faces_(f, k)], std::max(0.5 * flip, 0.02));
+        }
+      }
+      if (part.minCoeff() == 1) return;
+      way = part.asDiagonal() * way;
+    }
+  }
+
+  // Of the farthest driven vertex to its goal.
+  [[nodiscard]] double distance() const {
+    double farthest = 0;
+    for (std::size_t v = 0; v < driven_.size(); ++v) {
+      const auto i = static_cast<Eigen::Index>(v);
+      if (driven_[v] && !inPocket_[v]) farthest = std::max(farthest, (goal_.row(i) - image_.row(i)).norm());
+    }
+    return farthest;
+  }
+
   [[nodiscard]] double firstFlip(const Points2& way) const {
     double first = std::numeric_limits<double>::infinity();
     for (int f = 0; f < static_cast<int>(faces_.rows()); ++f) {
-      if (inPocket(faces_(f, 0)) || inPocket(faces_(f, 1)) || inPocket(faces_(f, 2))) continue;
+      if (inPocket(faces_, f)) continue;
       first = std::min(first, planarFirstFlip(faces_, image_, way, f));
     }
     return first;
