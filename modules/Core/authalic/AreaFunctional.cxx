@@ -36,6 +36,11 @@ Coordinates AreaFunctional::slowed(const Coordinates&, const Coordinates& displa
   return part.asDiagonal() * displacement;
 }
 
+const std::vector<EarOnCircle>& AreaFunctional::slidingEars() const {
+  static const std::vector<EarOnCircle> none;
+  return none;
+}
+
 AreaFunctional::Corners AreaFunctional::corners(const Coordinates& image, int face) const {
   Corners result(3, image.cols());
   for (int k = 0; k < 3; ++k) result.row(k) = image.row(faces_(face, k));
