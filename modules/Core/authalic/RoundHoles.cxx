@@ -154,11 +154,11 @@ class Rounding {
         if (driven_[v]) way.row(i) = goal_.row(i) - image_.row(i);
       }
       solver.solve(stiffnessOf(image_, faces_), way);
-      way /= std::max(1, kFewest - step);
-      slow(way);
-      const double part = std::min(1.0, kMarginToFlip * firstFlip(way));
+      Coordinates now = way / std::max(1, kFewest - step);
+      slow(now);
+      const double part = std::min(1.0, kMarginToFlip * firstFlip(now));
       if (part < kTooShort) return false;
-      image_ += part * way;
+      image_ += part * now;
       if (distance() < kThere) return true;
     }
     return false;
@@ -184,11 +184,12 @@ class Rounding {
   }
 
   // Corners of faces that would collapse early go a part of the way; the others need not wait.
-  void slow(Points2& way) const {
+  void slow(Coordinates& way) const {
+    const Coordinates image = image_;
     for (int pass = 0; pass < 20; ++pass) {
       Eigen::VectorXd part = Eigen::VectorXd::Ones(way.rows());
       for (int f = 0; f < static_cast<int>(faces_.rows()); ++f) {
-        const double flip = inPocket(faces_, f) ? 1 : planarFirstFlip(faces_, image_, way, f);
+        const double flip = inPocket(faces_, f) ? 1 : planarFirstFlip(faces_, image, way, f);
         for (int k = 0; k < 3 && flip < 1; ++k) {
           part[faces_(f, k)] = std::min(part[faces_(f, k)], std::max(0.5 * flip, 0.02));
         }
@@ -208,11 +209,12 @@ class Rounding {
     return farthest;
   }
 
-  [[nodiscard]] double firstFlip(const Points2& way) const {
+  [[nodiscard]] double firstFlip(const Coordinates& way) const {
+    const Coordinates image = image_;
     double first = std::numeric_limits<double>::infinity();
     for (int f = 0; f < static_cast<int>(faces_.rows()); ++f) {
       if (inPocket(faces_, f)) continue;
-      first = std::min(first, planarFirstFlip(faces_, image_, way, f));
+      first = std::min(first, planarFirstFlip(faces_, image, way, f));
     }
     return first;
   }
