@@ -80,14 +80,14 @@ CircleDomainAuthalicMapResult circleDomainAuthalicMap(const PolyAnnulusMesh& sur
                                                       const Execution& execution) {
   options.validate(surface);
   requireTargetOf(surface.mesh(), target);
-  const bool oneRoad = options.holdCentres || options.concentric || surface.loops().size() == 1;
+  const bool oneRoad = (options.holdCentres && !options.concentric) || surface.loops().size() == 1;
   HolesRoad road = oneRoad ? HolesRoad::Conformal : HolesRoad::Either;
   CircleDomainAuthalicMapOptions half = options;
   if (!oneRoad) half.solve.maxIterations = (options.solve.maxIterations + 1) / 2;
   CircleDomainAuthalicMapResult result = solveFrom(surface, target, half, road, execution.part(0, 0.7));
   const bool arrived = result.status == Status::Converged || result.status == Status::Cancelled;
   if (!arrived && !oneRoad && options.solve.maxIterations > result.iterations) {
-    const HolesRoad other = road == HolesRoad::Conformal ? HolesRoad::Filled : HolesRoad::Conformal;
+    const HolesRoad other = road == HolesRoad::Conformal ? HolesRoad::AreasFirst : HolesRoad::Conformal;
     result = secondTry(surface, target, options, other, std::move(result), execution.part(0.7, 1));
   }
   execution.report(1, "Authalic map");

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "Core/authalic/FilledHolesStart.h"
 #include "Core/authalic/LevelShares.h"
 #include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/PeriodicRectangleAuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -23,6 +25,7 @@ namespace {
 constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
 constexpr double kSmallestRadius = 1e-12;  // of a hole anywhere in the disk: coordinates have 16 digits
 constexpr double kTight = 0.95;     // of the room around a hole
+constexpr double kNear = 0.1;       // residual of the faces on the rectangle
 constexpr double kWithinSight = 0.5;  // mean |ln r| of the stars: a conformal start is good enough
 
 double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
@@ -187,7 +190,7 @@ CircleDomainStart fromConformal(const PolyAnnulusMesh& surface, const TargetMeas
 CircleDomainStart fromFilled(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                              const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
   CircleDomainStart start;
-  start.road = HolesRoad::Filled;
+  start.road = HolesRoad::AreasFirst;
   start.outerLoop = holes.outerLoop >= 0 ? holes.outerLoop
                                            : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
   start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
@@ -203,6 +206,55 @@ CircleDomainStart fromFilled(const PolyAnnulusMesh& surface, const TargetMeasure
   return start;
 }
 
+// The periodic rectangle with areas near their targets, rolled up: what lies below y lies outside of its circle.
+CircleDomainStart fromRectangle(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  PeriodicRectangleAuthalicMapOptions near;
+  near.outerLoop = holes.outerLoop;
+  near.solve.tolerance = kNear;
+  near.solve.vertexTolerance = std::numeric_limits<double>::infinity();
+  near.solve.solver = backend;
+  const auto map = periodicRectangleAuthalicMap(AnnulusMesh(surface.mesh()), target, near, execution);
+  CircleDomainStart start;
+  start.road = HolesRoad::AreasFirst;
+  if (execution.cancelled()) return start;
+  start.outerLoop = map.outerLoop;
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
+  start.pockets = map.pockets;
+  const double ground = faceAreas(surface.mesh()).sum(), hole = start.holeAreas[0] / (ground + start.holeAreas[0]);
+  start.image.resize(surface.mesh().vertexCount(), 2);
+  for (Eigen::Index v = 0; v < start.image.rows(); ++v) {
+    const double up = std::max(map.image(v, 1) / map.height, 0.0), angle = 2 * M_PI * map.image(v, 0),
+                 radius = std::sqrt(std::max(hole + (1 - hole) * (1 - up), 0.25 * hole));
+    start.image.row(v) << radius * std::cos(angle), radius * std::sin(angle);
+  }
+  start.loops.resize(2);
+  start.loops[1].share = hole;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool outer = static_cast<int>(k) == start.outerLoop;
+    for (const int v : surface.loops()[k]) {
+      if (outer || std::abs(map.image(v, 1) / map.height - 1) < kOnCircle) {
+        start.loops[outer ? 0 : 1].vertices.push_back(v);
+      }
+    }
+  }
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
+  start.image = areas.moved(start.image, Coordinates::Zero(start.image.rows(), 2), 0);
+  UnfoldResult unfolded = unfoldOrUntangle(surface.topology(), start.image);
+  if (unfolded.flippedFaces > 0) {
+    throw GeometryError("A start that can be unfolded is required, but " + std::to_string(unfolded.flippedFaces) +
+                        " faces stay folded on the annulus; take the domain periodic-rectangle.");
+  }
+  start.image = std::move(unfolded.image);
+  return start;
+}
+
+CircleDomainStart areasFirst(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                             const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  return holes.concentric ? fromRectangle(surface, target, holes, backend, execution)
+                          : fromFilled(surface, target, holes, backend, execution);
+}
+
 double meanAbsLog(const PolyAnnulusMesh& surface, const TargetMeasure& target, const Points2& image) {
   const Faces& faces = surface.mesh().faces();
   return measureStars(vertexStars(signedFaceAreas(image, faces), faces, surface.mesh().vertexCount()),
@@ -214,7 +266,7 @@ double meanAbsLog(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
 CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                                     const CircleDomainHoles& holes, HolesRoad road, SolverBackend backend,
                                     const Execution& execution) {
-  if (road == HolesRoad::Filled) return fromFilled(surface, target, holes, backend, execution);
+  if (road == HolesRoad::AreasFirst) return areasFirst(surface, target, holes, backend, execution);
   if (road == HolesRoad::Conformal) return fromConformal(surface, target, holes, execution);
   CircleDomainStart conformal;
   std::string refused;
@@ -226,7 +278,7 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
     refused = error.what();
   }
   try {
-    CircleDomainStart filled = fromFilled(surface, target, holes, backend, execution.part(0.4, 1));
+    CircleDomainStart filled = areasFirst(surface, target, holes, backend, execution.part(0.4, 1));
     const bool nearer = filled.image.rows() == 0 || conformal.image.rows() == 0 ||
                         meanAbsLog(surface, target, filled.image) < meanAbsLog(surface, target, conformal.image);
     return nearer ? filled : conformal;

@@ -15,8 +15,8 @@ namespace authalic {
 /// Where a start comes from.
 enum class HolesRoad {
   Either,     ///< the conformal map where it is near enough, else the one whose stars are nearer to their targets
-  Conformal,  ///< the conformal map, circles stretched to their areas where they lie
-  Filled      ///< filledHolesStart()
+  Conformal,  ///< the conformal map, circles stretched to their areas where they lie; concentric: annulusMap()
+  AreasFirst  ///< filledHolesStart(); concentric: periodicRectangleAuthalicMap(), rolled up
 };
 
 struct CircleDomainStart {
