@@ -1,5 +1,6 @@
 #include "Core/authalic/CircleDomainAuthalicMap.h"
 
+#include <string>
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
@@ -13,9 +14,26 @@ namespace authalic {
 void CircleDomainAuthalicMapOptions::validate(const PolyAnnulusMesh& surface) const {
   solve.validate();
   CircleDomainHoles::validate(surface);
+  if (freeRadii && !holeAreas.empty()) {
+    throw InvalidArgument("No hole areas are required where radii are free, but there are " +
+                          std::to_string(holeAreas.size()) + "; give areas or free radii.");
+  }
 }
 
 namespace {
+
+// Where radii are free: what the holes have become, mm².
+void measureHoles(const Points2& image, const TriangleMesh& surface, CircleDomainStart& start) {
+  const double whole = polygonArea(image, start.loops.front().vertices);
+  double ground = whole;
+  for (std::size_t k = 1; k < start.loops.size(); ++k) {
+    const double hole = -polygonArea(image, start.loops[k].vertices);
+    start.loops[k].share = hole / whole;
+    ground -= hole;
+  }
+  const double scale = faceAreas(surface).sum() * whole / ground;
+  for (std::size_t k = 1; k < start.loops.size(); ++k) start.holeAreas[k - 1] = scale * start.loops[k].share;
+}
 
 // One solve from one start; the status says Cancelled and the image is empty when it was cancelled in the start.
 CircleDomainAuthalicMapResult solveFrom(const PolyAnnulusMesh& surface, const TargetMeasure& target,
@@ -34,6 +52,7 @@ CircleDomainAuthalicMapResult solveFrom(const PolyAnnulusMesh& surface, const Ta
   AreaSolveResult solved =
       solveAreas(areas, surface.mesh(), target, areas.begun(start.image), options.solve, execution.part(0.3, 1));
   const Points2 image = areas.ended(solved.image, start.loops);
+  if (options.freeRadii) measureHoles(image, surface.mesh(), start);
   static_cast<CircleDomainImage&>(result) = imageOf(start, image);
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
