@@ -282,9 +282,9 @@ CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const Target
     const bool nearer = filled.image.rows() == 0 || conformal.image.rows() == 0 ||
                         meanAbsLog(surface, target, filled.image) < meanAbsLog(surface, target, conformal.image);
     return nearer ? filled : conformal;
-  } catch (const GeometryError& error) {
+  } catch (const GeometryError&) {
     if (conformal.image.rows() > 0) return conformal;
-    throw;
+    throw GeometryError(refused);
   }
 }
 
