@@ -43,7 +43,7 @@ class AuthalicFamily : public MapFamily {
     own(verb->add_flag("--hold-centres", holdCentres_,
                        "Holes stay where the conformal map has them (--domain circle-domain)."));
     own(verb->add_flag("--free-radii", freeRadii_,
-                       "Radii of holes are found with the map; no --hole-areas then (--domain circle-domain, annulus)."));
+                       "Radii of holes are found with the map, not from areas (--domain circle-domain, annulus)."));
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,

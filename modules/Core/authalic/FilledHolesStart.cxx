@@ -111,7 +111,8 @@ RoundedHoles filledHolesStart(const PolyAnnulusMesh& surface, const TargetMeasur
   for (const double area : holeAreas) whole += area;
   std::vector<double> shares;
   for (const double area : holeAreas) shares.push_back(area / whole);
-  const Points2 image = rounder(disk, targets, withRoundCones(surface, disk.mesh(), outer), map.image, backend, execution);
+  const HalfEdgeWeights cotangents = withRoundCones(surface, disk.mesh(), outer);
+  const Points2 image = rounder(disk, targets, cotangents, map.image, backend, execution);
   return roundHoles(surface, image.topRows(surface.mesh().vertexCount()), shares, outer, backend,
                     execution.part(0.7, 1));
 }
