@@ -2,12 +2,13 @@
  * @class vtkCircleDomainAuthalicMap
  * @brief Area-preserving, or measure-controlled, map of a surface with holes to the unit disk without round holes.
  *
- * As vtkAuthalicMap, for any number of boundary loops: every vertex star gets exactly its share, every hole exactly its
- * area, every loop lies on a circle. Centres of the circles are unknowns, radii follow from the areas or are unknowns,
- * too; on the ANNULUS the one hole is in the middle. Ears on inner loops bulge into the hole. A surface with two
- * loops, such as a tube, may also go to the PERIODIC_RECTANGLE [0, 1] x [0, h], h found by the method: loops slide along its sides, the output is
- * cut open (vertices of the input first, then the copies), and ears lie outside. Input 0 must be connected, oriented,
- * manifold, of genus 0 and have a boundary. Ports and arrays: see vtkAreaSolveAlgorithm; also
+ * As vtkAuthalicMap, for any number of boundary loops: every vertex star gets exactly its share, every hole
+ * exactly its area, every loop lies on a circle. Centres of the circles are unknowns, radii follow from the areas
+ * or are unknowns, too; on the ANNULUS the one hole is in the middle. Ears on inner loops bulge into the hole. A
+ * surface with two loops, such as a tube, may also go to the PERIODIC_RECTANGLE [0, 1] x [0, h], h found by the
+ * method: loops slide along its sides, the output is cut open (vertices of the input first, then the copies), and
+ * ears lie outside. Input 0 must be connected, oriented, manifold, of genus 0 and have a boundary. Ports and
+ * arrays: see vtkAreaSolveAlgorithm; also
  *
  * | association | name | components, type | unit | meaning |
  * |---|---|---|---|---|
