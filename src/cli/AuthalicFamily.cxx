@@ -49,13 +49,13 @@ class AuthalicFamily : public MapFamily {
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     const std::optional<double> weight = balanceNumber(shared);
+    if ((holdCentres_ || freeRadii_) && shared.domain != "circle-domain" && shared.domain != "annulus") {
+      throw Failure(UsageProblem, "--hold-centres and --free-radii need --domain circle-domain or annulus.");
+    }
     if (const auto holed = holedFilter<vtkCircleDomainAuthalicMap>(shared)) {
       holed->SetHoldCentres(holdCentres_);
       holed->SetFreeRadii(freeRadii_);
       return configured(holed, shared, session);
-    }
-    if (holdCentres_ || freeRadii_) {
-      throw Failure(UsageProblem, "--hold-centres and --free-radii need --domain circle-domain or annulus.");
     }
     if (shared.domain == "sphere") {
       const auto map = vtkSmartPointer<vtkSphericalAuthalicMap>::New();

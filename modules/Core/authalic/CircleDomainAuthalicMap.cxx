@@ -13,11 +13,11 @@ namespace authalic {
 
 void CircleDomainAuthalicMapOptions::validate(const PolyAnnulusMesh& surface) const {
   solve.validate();
-  CircleDomainHoles::validate(surface);
   if (freeRadii && !holeAreas.empty()) {
     throw InvalidArgument("No hole areas are required where radii are free, but there are " +
                           std::to_string(holeAreas.size()) + "; give areas or free radii.");
   }
+  CircleDomainHoles::validate(surface);
 }
 
 namespace {
