@@ -249,8 +249,8 @@ class Results(CommandLine):
                                                       "--free-radii"))
         self.assertIn("free", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                          "--free-radii", "--hole-areas", 150))
-        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus", "--free-radii", "--tolerance", 0.05,
-                      "--report", "free.json")
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus", "--free-radii", "--tolerance",
+                      0.05, "--report", "free.json")
         free = json.loads((self.here / "free.json").read_text())
         self.assertTrue(free["options"]["free_radii"] and not free["options"]["hold_centres"])
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
