@@ -17,6 +17,12 @@ vtkStandardNewMacro(vtkCircleDomainAuthalicMap);
 static_assert(static_cast<int>(authalic::HoledDomain::PeriodicRectangle) ==
               vtkCircleDomainAuthalicMap::PERIODIC_RECTANGLE);
 
+vtkCircleDomainAuthalicMap::vtkCircleDomainAuthalicMap() {
+  const authalic::CircleDomainAuthalicMapOptions defaults;
+  this->HoldCentres = defaults.holdCentres;
+  this->FreeRadii = defaults.freeRadii;
+}
+
 void vtkCircleDomainAuthalicMap::AddHoleArea(double area) {
   this->HoleAreas.push_back(area);
   this->Modified();
@@ -32,6 +38,8 @@ authalic::MapReport vtkCircleDomainAuthalicMap::MapToCircles(vtkPolyData* input,
   const authalic::PolyAnnulusMesh surface(authalic::toTriangleMesh(input));
   authalic::CircleDomainAuthalicMapOptions options;
   options.solve = this->Options();
+  options.holdCentres = this->HoldCentres;
+  options.freeRadii = this->FreeRadii;
   static_cast<authalic::CircleDomainHoles&>(options) = authalic::holesOf(
       surface, static_cast<authalic::HoledDomain>(this->Domain), this->OuterVertex, this->HoleAreas);
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, surface.mesh(), this->MeasureArrayName);
@@ -61,6 +69,7 @@ void vtkCircleDomainAuthalicMap::Compute(vtkInformationVector** inputs, vtkInfor
                                                                   : this->MapToCircles(input, output, execution);
   authalic::addHoledOptions(report.options, static_cast<authalic::HoledDomain>(this->Domain), this->MeasureArrayName,
                             this->OuterVertex, this->HoleAreas);
+  report.options.set("hold_centres", this->HoldCentres).set("free_radii", this->FreeRadii);
   authalic::addAuthalicOptions(report.options, this->Options());
   this->Publish(output, report);
 }
@@ -70,4 +79,6 @@ void vtkCircleDomainAuthalicMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Domain: " << this->Domain << "\n";
   os << indent << "OuterVertex: " << this->OuterVertex << "\n";
   os << indent << "HoleAreas: " << this->HoleAreas.size() << "\n";
+  os << indent << "HoldCentres: " << this->HoldCentres << "\n";
+  os << indent << "FreeRadii: " << this->FreeRadii << "\n";
 }

@@ -3,12 +3,12 @@
  * @brief Area-preserving, or measure-controlled, map of a surface with holes by the discrete Lie flow.
  *
  * As vtkDiscreteLieFlow, for any number of boundary loops, onto the unit disk without round holes: every hole gets
- * exactly its area, the vertices of every loop slide on its circle. Holes stay where the conformal map has their
- * centres, or, on the ANNULUS, the one hole is in the middle. Ears on inner loops bulge into the hole.
- * A surface with two loops, such as a tube, may also go to the PERIODIC_RECTANGLE [0, 1] x [0, h], h found by the
- * method: loops slide along its sides, the output is cut open (vertices of the input first, then the copies), and
- * ears lie outside. Input 0 must be connected, oriented, manifold, of genus 0 and have a boundary. Ports and arrays:
- * see vtkLieFlowAlgorithm; also
+ * exactly its area, the vertices of every loop slide on its circle. Holes stay where the start has their centres
+ * (the conformal map, where that is near enough), or, on the ANNULUS, the one hole is in the middle. Ears on inner
+ * loops bulge into the hole. A surface with two loops, such as a tube, may also go to the PERIODIC_RECTANGLE [0,
+ * 1] x [0, h], h found by the method: loops slide along its sides, the output is cut open (vertices of the input
+ * first, then the copies), and ears lie outside. Input 0 must be connected, oriented, manifold, of genus 0 and
+ * have a boundary. Ports and arrays: see vtkLieFlowAlgorithm; also
  *
  * | association | name | components, type | unit | meaning |
  * |---|---|---|---|---|
@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The unit disk without round holes, where the conformal map has them; for two loops also the same with the hole in
+   * The unit disk without round holes; for two loops also the same with the hole in
    * the middle, or a rectangle that is periodic in x. Default CIRCLE_DOMAIN.
    */
   vtkSetClampMacro(Domain, int, CIRCLE_DOMAIN, PERIODIC_RECTANGLE);

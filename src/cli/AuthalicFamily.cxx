@@ -40,12 +40,23 @@ class AuthalicFamily : public MapFamily {
   void declare(CLI::App* verb) override {
     own(verb->add_option("--vertex-tolerance", vertexTolerance_, "Largest |ln r| of a vertex star, > 0."))
         ->type_name("X")->default_str(shown(defaults_->GetVertexTolerance()));
+    own(verb->add_flag("--hold-centres", holdCentres_,
+                       "Holes stay where the conformal map has them (--domain circle-domain)."));
+    own(verb->add_flag("--free-radii", freeRadii_,
+                       "Radii of holes are found with the map, not from areas (--domain circle-domain, annulus)."));
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     const std::optional<double> weight = balanceNumber(shared);
-    if (const auto holed = holedFilter<vtkCircleDomainAuthalicMap>(shared)) return configured(holed, shared, session);
+    if ((holdCentres_ || freeRadii_) && shared.domain != "circle-domain" && shared.domain != "annulus") {
+      throw Failure(UsageProblem, "--hold-centres and --free-radii need --domain circle-domain or annulus.");
+    }
+    if (const auto holed = holedFilter<vtkCircleDomainAuthalicMap>(shared)) {
+      holed->SetHoldCentres(holdCentres_);
+      holed->SetFreeRadii(freeRadii_);
+      return configured(holed, shared, session);
+    }
     if (shared.domain == "sphere") {
       const auto map = vtkSmartPointer<vtkSphericalAuthalicMap>::New();
       if (weight) map->SetBalance(*weight);
@@ -82,6 +93,7 @@ class AuthalicFamily : public MapFamily {
 
   vtkNew<vtkAuthalicMap> defaults_;
   std::optional<double> vertexTolerance_;
+  bool holdCentres_ = false, freeRadii_ = false;
 };
 
 }  // namespace

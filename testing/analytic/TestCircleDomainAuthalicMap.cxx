@@ -127,6 +127,60 @@ TEST(CircleDomainAuthalicMap, OfALongTubeHasAHoleOfTheRightSize) {
   EXPECT_LT(result.circles[1 - std::size_t(result.outerLoop)].centre.norm(), 1e-12);
 }
 
+TEST(CircleDomainAuthalicMap, BringsADiskWithHolesBackWhereCentresMove) {
+  // The conformal map puts the holes of a flat disk elsewhere (a Möbius transformation of the disk is left free), so
+  // that only moving circles find the isometry. Free radii have to come back as well.
+  const std::vector<authalic::testing::RoundHole> holes = {{{0.5, 0.1}, 0.15}, {{-0.1, -0.45}, 0.25}};
+  const PolyAnnulusMesh surface(holedDisk(20, holes));
+  const TargetMeasure target(surface.mesh());
+  CircleDomainAuthalicMapOptions options;
+  options.solve.tolerance = 1e-3;
+  const auto angles = [&] {
+    const auto result = circleDomainAuthalicMap(surface, target, options);
+    EXPECT_EQ(result.status, Status::Converged);
+    EXPECT_LT(result.vertexResidual, 1e-9);
+    EXPECT_LT(result.holeResidual, 1e-12);
+    for (std::size_t k = 0, hole = 0; k < 3 && !options.holdCentres; ++k) {
+      if (static_cast<int>(k) == result.outerLoop) continue;
+      const double radius = options.freeRadii ? result.circles[k].radius : 0;
+      const auto& truth = std::abs(result.holeAreas[hole++] - M_PI * 0.15 * 0.15) < 0.05 ? holes[0] : holes[1];
+      EXPECT_NEAR(result.circles[k].centre.norm(), truth.centre.norm(), 0.01);
+      if (options.freeRadii) { EXPECT_NEAR(radius, truth.radius, 0.01); }
+    }
+    return measureDistortion(surface.mesh(), result.image).summary.meanAngleError;
+  };
+  const double moving = angles();
+  options.freeRadii = true;
+  const double free = angles();
+  options.freeRadii = false;
+  options.holdCentres = true;
+  const double held = angles();
+  EXPECT_LT(moving, 0.7);  // degrees
+  EXPECT_LT(free, 0.7);
+  EXPECT_GT(held, 5 * moving);
+}
+
+TEST(CircleDomainAuthalicMap, ReachesHolesBehindALongNeck) {
+  // A finger: a cap with two holes on a tube that is 10 radii long. The conformal map shrinks the cap by e^-10.
+  const TriangleMesh flat = holedDisk(30, {{{0.25, 0.05}, 0.1}, {{-0.2, -0.15}, 0.08}});
+  Points3 points = flat.points();
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const double r = flat.points().row(v).norm(), cap = std::min(r / 0.5, 1.0) * M_PI / 2;
+    points.row(v) << flat.points().row(v).head(2) * (std::sin(cap) / r), std::cos(cap) - 20 * std::max(r - 0.5, 0.0);
+    if (r == 0) points.row(v) << 0, 0, 1;
+  }
+  const PolyAnnulusMesh surface(TriangleMesh(points, flat.faces()));
+  CircleDomainAuthalicMapOptions options;
+  options.solve.tolerance = 0.05;
+  const TargetMeasure target(surface.mesh());
+  const auto result = circleDomainAuthalicMap(surface, target, options);
+  EXPECT_EQ(result.status, Status::Converged);
+  EXPECT_EQ(result.flippedFaces, 0);
+  EXPECT_LT(result.vertexResidual, 1e-9);
+  EXPECT_LT(result.holeResidual, 1e-9);
+  EXPECT_EQ(circleDomainAuthalicMap(surface, target, options).image, result.image);  // the same bits
+}
+
 TEST(CircleDomainAuthalicMap, RefusesHolesThatDoNotFitAndListsThatDoNotBelong) {
   const PolyAnnulusMesh surface(holedDisk(12, {{{0.45, 0.1}, 0.15}, {{-0.3, -0.35}, 0.2}}));
   const TargetMeasure target(surface.mesh());
@@ -140,6 +194,10 @@ TEST(CircleDomainAuthalicMap, RefusesHolesThatDoNotFitAndListsThatDoNotBelong) {
   EXPECT_THROW(map(), InvalidArgument);
   options.holeAreas = {100, 100};
   EXPECT_THROW(map(), GeometryError);
+  options.holeAreas = {0.1, 0.1};
+  options.freeRadii = true;
+  EXPECT_THROW(map(), InvalidArgument);
+  options.freeRadii = false;
   options.holeAreas.clear();
   options.concentric = true;
   EXPECT_THROW(map(), TopologyError);

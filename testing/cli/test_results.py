@@ -244,6 +244,15 @@ class Results(CommandLine):
         self.assertIn("boundary loops", self.fails(3, "map", "authalic", self.sheet, "-o", "h.vtp", "--domain",
                                                    "periodic-rectangle"))
         self.assertIn("need --domain", self.fails(2, "map", "authalic", self.sheet, "-o", "h.vtp", "--hole-areas", 1))
+        for domain in ("disk", "periodic-rectangle"):
+            self.assertIn("need --domain", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", domain,
+                                                      "--free-radii"))
+        self.assertIn("free", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
+                                         "--free-radii", "--hole-areas", 150))
+        self.succeeds("map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus", "--free-radii", "--tolerance",
+                      0.05, "--report", "free.json")
+        free = json.loads((self.here / "free.json").read_text())
+        self.assertTrue(free["options"]["free_radii"] and not free["options"]["hold_centres"])
         self.assertIn("each of the 1", self.fails(2, "map", "authalic", tube, "-o", "h.vtp", "--domain", "annulus",
                                                   "--hole-areas", 1, 2))
 

@@ -63,6 +63,7 @@ CASES = [
     ("ring", "AnnulusMap", TUBE, {}),
     ("concentric", "CircleDomainAuthalicMap", TUBE,
      {"Tolerance": 0.05, "Domain": 1, "OuterVertex": -1, "HoleArea": [(150.0,)]}),
+    ("freering", "CircleDomainAuthalicMap", TUBE, {"Tolerance": 0.05, "HoldCentres": 0, "FreeRadii": 1}),
     ("exactsleeve", "CircleDomainAuthalicMap", TUBE, {"Tolerance": 0.05, "Domain": 2}),
     ("flowingsleeve", "CircleDomainLieFlow", TUBE, {"Domain": 2}),
     ("flowingring", "CircleDomainLieFlow", TUBE,

@@ -175,6 +175,12 @@ class Results(unittest.TestCase):
         self.assertEqual(result.report["hole_areas"], [150])
         with self.assertRaisesRegex(authalic.InvalidArgument, "hole_areas"):
             authalic.flatten(tube, method="annulus", hole_areas=[150])
+        free = authalic.flatten(tube, method="authalic-holes", domain="annulus", tolerance=0.05, free_radii=True)
+        self.assertEqual((free.status, free.metrics["flipped_faces"]), ("converged", 0))
+        self.assertNotEqual(free.report["hole_areas"], [150])
+        self.assertLess(free.report["hole_residual"], 1e-9)
+        with self.assertRaisesRegex(authalic.InvalidArgument, "free"):
+            authalic.flatten(tube, method="authalic-holes", hole_areas=[150], free_radii=True)
 
     def test_tubes_go_to_the_periodic_rectangle_cut_open(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")

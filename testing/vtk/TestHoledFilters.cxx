@@ -248,9 +248,29 @@ TEST(CircleDomainAuthalicMapFilter, GivesTheImageOfCoreWithEveryOption) {
   filter->ClearHoleAreas();
   filter->AddHoleArea(1);
   EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "each of the 2 holes");
+  filter->FreeRadiiOn();
+  EXPECT_SAYS(refusal(filter, vtkSurfaceAlgorithm::ARGUMENT), "free");
   const auto concentric = on<vtkCircleDomainAuthalicMap>(threeLoops());
   concentric->SetDomainToAnnulus();
   EXPECT_SAYS(refusal(concentric, vtkSurfaceAlgorithm::SURFACE), "2 boundary loops");
+}
+
+TEST(CircleDomainAuthalicMapFilter, HoldsCentresAndFreesRadiiAsCoreDoes) {
+  const PolyAnnulusMesh surface(threeLoops());
+  CircleDomainAuthalicMapOptions options;
+  options.solve.tolerance = 0.1;
+  for (const bool free : {false, true}) {
+    const auto filter = on<vtkCircleDomainAuthalicMap>(surface.mesh());
+    filter->SetTolerance(0.1);
+    filter->SetHoldCentres(!free);
+    filter->SetFreeRadii(free);
+    filter->Update();
+    options.holdCentres = !free;
+    options.freeRadii = free;
+    const auto core = circleDomainAuthalicMap(surface, TargetMeasure(surface.mesh()), options);
+    EXPECT_EQ(toPlanarPoints(filter->GetOutput()), core.image);
+    EXPECT_EQ(field(filter->GetOutput(), "HoleAreas", 1), core.holeAreas[1]);
+  }
 }
 
 TEST(CircleDomainLieFlowFilter, GivesTheImageOfCoreWithItsOptions) {

@@ -29,6 +29,13 @@ const Points2& AreaFunctional::shifts() const {
   return none;
 }
 
+std::vector<Coordinates> AreaFunctional::jointMoves(const Coordinates&) const { return {}; }
+
+Coordinates AreaFunctional::slowed(const Coordinates&, const Coordinates& displacement,
+                                   const Eigen::VectorXd& part) const {
+  return part.asDiagonal() * displacement;
+}
+
 const std::vector<EarOnCircle>& AreaFunctional::slidingEars() const {
   static const std::vector<EarOnCircle> none;
   return none;

@@ -55,6 +55,11 @@ class AreaFunctional {
   /// image + t · displacement, back on the domain.
   [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
                                           double t) const = 0;
+  /// Displacements that move many vertices at once, free like the unknowns: of circles in the plane. By default none.
+  [[nodiscard]] virtual std::vector<Coordinates> jointMoves(const Coordinates& image) const;
+  /// A displacement with every row made shorter to its part in [0, 1]; joint moves stay such.
+  [[nodiscard]] virtual Coordinates slowed(const Coordinates& image, const Coordinates& displacement,
+                                           const Eigen::VectorXd& part) const;
   /// The image with vertices where their areas are right that derivatives do not lead there; by default the image.
   [[nodiscard]] virtual Coordinates eased(Coordinates image) const { return image; }
   /// Ears whose tips have a freedom of their own, as the ends of their bases have; by default none.

@@ -41,7 +41,8 @@ CircleDomainLieFlowResult circleDomainLieFlow(const PolyAnnulusMesh& surface, co
   requireTargetOf(surface.mesh(), target);
   CircleDomainLieFlowResult result;
   Stopwatch watch;
-  const CircleDomainStart start = circleDomainStart(surface, target, options, execution.part(0, 0.3));
+  const CircleDomainStart start = circleDomainStart(surface, target, options, HolesRoad::Either,
+                                                    SolverBackend::Automatic, execution.part(0, 0.3));
   result.status = Status::Cancelled;
   if (start.image.rows() == 0) return result;
   result.startSeconds = watch.lap();

@@ -22,8 +22,7 @@ struct CircleDomainLieFlowResult : LieFlowSolution, CircleDomainImage {};
 /// As discreteLieFlow() @cite su2019: the vertices of every loop slide on its circle, ∇h along the loop being what is
 /// left of the natural boundary condition. The radii of the holes follow from their areas in every iterate
 /// (CircleDomainAreas in authalic/), centres stay where the start has them. The start is that of
-/// circleDomainAuthalicMap(): the conformal map, holes stretched to their areas, or with `concentric` the map to the
-/// annulus with the area inside of every circle put right.
+/// circleDomainAuthalicMap().
 ///
 /// Guarantees: with finish ≠ None no folded face, whatever the status; loops on their circles to 1e-14 but for ears on
 /// inner loops (`pockets`); hole areas to 1e-12. Not guaranteed: that the tolerance is reached (→ status, residual).

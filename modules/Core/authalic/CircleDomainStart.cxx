@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
+#include "Core/authalic/FilledHolesStart.h"
 #include "Core/authalic/LevelShares.h"
+#include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/PeriodicRectangleAuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
@@ -21,6 +25,8 @@ namespace {
 constexpr double kOnCircle = 1e-9;  // of the radius: loop vertices farther off belong to pockets
 constexpr double kSmallestRadius = 1e-12;  // of a hole anywhere in the disk: coordinates have 16 digits
 constexpr double kTight = 0.95;     // of the room around a hole
+constexpr double kNear = 0.1;       // residual of the faces on the rectangle
+constexpr double kWithinSight = 0.5;  // mean |ln r| of the stars: a conformal start is good enough
 
 double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
@@ -157,26 +163,129 @@ Points2 stretched(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
   return std::move(unfolded.image);
 }
 
-}  // namespace
+// Where the surface's own areas are asked for, those of the cones.
+std::vector<double> areasOfHoles(const PolyAnnulusMesh& surface, const std::vector<double>& asked, int outer) {
+  std::vector<double> areas = asked;
+  for (std::size_t k = 0; k < surface.loops().size() && asked.empty(); ++k) {
+    if (static_cast<int>(k) != outer) areas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
+  }
+  return areas;
+}
 
-CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
-                                    const CircleDomainHoles& holes, const Execution& execution) {
+CircleDomainStart fromConformal(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                const CircleDomainHoles& holes, const Execution& execution) {
   const ConformalStart conformal = conformalStart(surface, holes, execution.part(0, 0.7));
   CircleDomainStart start;
   if (conformal.status == Status::Cancelled) return start;
   start.outerLoop = conformal.outerLoop;
   start.pockets = conformal.pockets;
-  start.holeAreas = holes.holeAreas;
-  for (std::size_t k = 0; k < surface.loops().size() && holes.holeAreas.empty(); ++k) {
-    if (static_cast<int>(k) != conformal.outerLoop) {
-      start.holeAreas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
-    }
-  }
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
   start.loops = loopsOf(surface, conformal, start.holeAreas, holes.concentric);
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
   start.image = stretched(surface, target, areas, start.loops, holes.concentric, conformal.image,
                           execution.part(0.7, 1));
   return start;
+}
+
+CircleDomainStart fromFilled(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                             const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  CircleDomainStart start;
+  start.road = HolesRoad::AreasFirst;
+  start.outerLoop = holes.outerLoop >= 0 ? holes.outerLoop
+                                           : static_cast<int>(longestLoop(surface.mesh(), surface.loops()));
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
+  RoundedHoles round = filledHolesStart(surface, target, start.holeAreas, start.outerLoop, backend, execution);
+  if (execution.cancelled()) return start;
+  if (round.folded > 0) {
+    throw GeometryError("Hole areas that fit beside each other are required, but " + std::to_string(round.folded) +
+                        " faces stay folded between round holes; take smaller hole areas.");
+  }
+  start.loops = std::move(round.loops);
+  start.pockets = round.pockets;
+  start.image = std::move(round.image);
+  return start;
+}
+
+// The periodic rectangle with areas near their targets, rolled up: what lies below y lies outside of its circle.
+CircleDomainStart fromRectangle(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  PeriodicRectangleAuthalicMapOptions near;
+  near.outerLoop = holes.outerLoop;
+  near.solve.tolerance = kNear;
+  near.solve.vertexTolerance = std::numeric_limits<double>::infinity();
+  near.solve.solver = backend;
+  const auto map = periodicRectangleAuthalicMap(AnnulusMesh(surface.mesh()), target, near, execution);
+  CircleDomainStart start;
+  start.road = HolesRoad::AreasFirst;
+  if (execution.cancelled()) return start;
+  start.outerLoop = map.outerLoop;
+  start.holeAreas = areasOfHoles(surface, holes.holeAreas, start.outerLoop);
+  start.pockets = map.pockets;
+  const double ground = faceAreas(surface.mesh()).sum(), hole = start.holeAreas[0] / (ground + start.holeAreas[0]);
+  start.image.resize(surface.mesh().vertexCount(), 2);
+  for (Eigen::Index v = 0; v < start.image.rows(); ++v) {
+    const double up = std::max(map.image(v, 1) / map.height, 0.0), angle = 2 * M_PI * map.image(v, 0),
+                 radius = std::sqrt(std::max(hole + (1 - hole) * (1 - up), 0.25 * hole));
+    start.image.row(v) << radius * std::cos(angle), radius * std::sin(angle);
+  }
+  start.loops.resize(2);
+  start.loops[1].share = hole;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool outer = static_cast<int>(k) == start.outerLoop;
+    for (const int v : surface.loops()[k]) {
+      if (outer || std::abs(map.image(v, 1) / map.height - 1) < kOnCircle) {
+        start.loops[outer ? 0 : 1].vertices.push_back(v);
+      }
+    }
+  }
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
+  start.image = areas.moved(start.image, Coordinates::Zero(start.image.rows(), 2), 0);
+  UnfoldResult unfolded = unfoldOrUntangle(surface.topology(), start.image);
+  if (unfolded.flippedFaces > 0) {
+    throw GeometryError("A start that can be unfolded is required, but " + std::to_string(unfolded.flippedFaces) +
+                        " faces stay folded on the annulus; take the domain periodic-rectangle.");
+  }
+  start.image = std::move(unfolded.image);
+  return start;
+}
+
+CircleDomainStart areasFirst(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                             const CircleDomainHoles& holes, SolverBackend backend, const Execution& execution) {
+  return holes.concentric ? fromRectangle(surface, target, holes, backend, execution)
+                          : fromFilled(surface, target, holes, backend, execution);
+}
+
+double meanAbsLog(const PolyAnnulusMesh& surface, const TargetMeasure& target, const Points2& image) {
+  const Faces& faces = surface.mesh().faces();
+  return measureStars(vertexStars(signedFaceAreas(image, faces), faces, surface.mesh().vertexCount()),
+                      target.vertices()).meanAbsLog;
+}
+
+}  // namespace
+
+CircleDomainStart circleDomainStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
+                                    const CircleDomainHoles& holes, HolesRoad road, SolverBackend backend,
+                                    const Execution& execution) {
+  if (road == HolesRoad::AreasFirst) return areasFirst(surface, target, holes, backend, execution);
+  if (road == HolesRoad::Conformal) return fromConformal(surface, target, holes, execution);
+  CircleDomainStart conformal;
+  std::string refused;
+  try {
+    conformal = fromConformal(surface, target, holes, execution.part(0, 0.4));
+    if (conformal.image.rows() == 0) return conformal;  // cancelled
+    if (meanAbsLog(surface, target, conformal.image) <= kWithinSight) return conformal;
+  } catch (const GeometryError& error) {
+    refused = error.what();
+  }
+  try {
+    CircleDomainStart filled = areasFirst(surface, target, holes, backend, execution.part(0.4, 1));
+    const bool nearer = filled.image.rows() == 0 || conformal.image.rows() == 0 ||
+                        meanAbsLog(surface, target, filled.image) < meanAbsLog(surface, target, conformal.image);
+    return nearer ? filled : conformal;
+  } catch (const GeometryError&) {
+    if (conformal.image.rows() > 0) return conformal;
+    throw GeometryError(refused);
+  }
 }
 
 CircleDomainImage imageOf(const CircleDomainStart& start, const Points2& image) {

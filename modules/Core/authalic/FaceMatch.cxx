@@ -120,10 +120,8 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++value) {
-      const int k = a / 2, l = b / 2;
-      const double stiffness = (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
       *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
-               stiffness * directions.row(a).dot(directions.row(b));
+               edgeStiffness(face, damping, a / 2, b / 2) * directions.row(a).dot(directions.row(b));
     }
   }
 }
@@ -131,6 +129,17 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
 void FaceMatch::factorise(double damping) {
   for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f, damping * stiffness_[f]);
   solver_.factorize(assembly_.assemble(values_));
+}
+
+double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l) const {
+  return (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
+}
+
+Coordinates FaceMatch::step(const Coordinates& image) {
+  factorise(damping_);
+  const std::vector<Coordinates> moves = areas_.jointMoves(image);
+  if (!moves.empty()) return jointStep(image, moves);
+  return areas_.displacement(frames_, solver_.solve(right_));
 }
 
 // A few thin triangles must not stop the whole map: their corners move by a part of what would collapse them.
@@ -145,7 +154,7 @@ Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordi
       }
     }
     if (part.minCoeff() == 1) break;
-    displacement.array().colwise() *= part.array();
+    displacement = areas_.slowed(image, displacement, part);
   }
   return displacement;
 }
@@ -166,8 +175,7 @@ void FaceMatch::adapt(double step) {
 double FaceMatch::advance(Coordinates& image) {
   linearise(image);
   const double before = objective(image);
-  factorise(damping_);
-  const Coordinates wanted = areas_.displacement(frames_, solver_.solve(right_));
+  const Coordinates wanted = step(image);
   stiffen(image, wanted);
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
   double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));

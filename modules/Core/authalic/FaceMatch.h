@@ -67,7 +67,14 @@ class FaceMatch {
   [[nodiscard]] double objective(const Coordinates& image) const;
   void linearise(const Coordinates& image);
   void factorise(double damping);
+  [[nodiscard]] Coordinates step(const Coordinates& image);
   void fillElement(Eigen::Index face, double damping);
+  [[nodiscard]] double edgeStiffness(Eigen::Index face, double damping, int k, int l) const;
+  // Steps along joint moves of the domain, see AreaFunctional::jointMoves(); in FaceMatchJointly.cxx.
+  [[nodiscard]] Coordinates jointStep(const Coordinates& image, const std::vector<Coordinates>& moves) const;
+  [[nodiscard]] Coordinates answer(const AreaFunctional::Gradients& slopes, const Coordinates& displacement) const;
+  [[nodiscard]] Coordinates descent(const AreaFunctional::Gradients& slopes, const Coordinates& image) const;
+  [[nodiscard]] Eigen::VectorXd onUnknowns(const Coordinates& forces) const;
   [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const;
   void stiffen(const Coordinates& image, const Coordinates& displacement);
   void adapt(double step);

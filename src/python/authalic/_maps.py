@@ -139,8 +139,8 @@ def flatten(points: Any,
                 Maps to the plane need a topological disk: connected, manifold, one boundary loop (see cut_to_disk)
     method      "authalic": preserves areas, or gives every region the share that `measure` asks for, exactly at
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1,
-                "authalic-flat-cones" for genus 2 or more;
-                "authalic-holes": the same for surfaces with boundary loops, onto the disk without round holes;
+                "authalic-flat-cones" for genus 2 or more, "authalic-holes" for boundary loops: onto the disk without
+                round holes (free_radii, hold_centres), or domain="annulus", or, tubes cut open, "periodic-rectangle";
                 "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
