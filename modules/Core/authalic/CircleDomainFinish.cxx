@@ -107,7 +107,10 @@ Points2 rounded(const PolyAnnulusMesh& surface, const CircleDomainAreas& areas, 
   for (std::size_t k = 1; k < loops.size(); ++k) makeRound(areas, loops, k, image);
   putOnCircles(areas, loops, image);
   UnfoldResult unfolded = unfold(surface.topology(), image, execution, UnfoldReach::Patches);
-  if (unfolded.flippedFaces > 0 && !execution.cancelled()) unfolded = untangle(surface.topology(), std::move(image));
+  if (unfolded.flippedFaces > 0 && !execution.cancelled()) unfolded = untangle(surface.topology(), image);
+  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
+    unfolded = untangle(surface.topology(), unfold(surface.topology(), std::move(image), execution).image);
+  }
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     throw GeometryError("An image that can be unfolded around round holes is required, but " +
                         std::to_string(unfolded.flippedFaces) +
