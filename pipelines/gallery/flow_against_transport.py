@@ -50,7 +50,8 @@ for factor, colour in zip(options.factor, COLOURS * 9):
                  f"{np.quantile(kept, 0.95):.3f}", str(moved.metrics["flipped_faces"])])
     series.append((f"factor {factor:g}", kept, colour))
 header = ["factor", "flow_status", "transport_status", "flow_cost", "transport_cost", "difference_percent",
-          "finished_cost", "finished_difference_percent", "beltrami_mean", "beltrami_p50", "beltrami_p95", "transport_flipped_faces"]
+          "finished_cost", "finished_difference_percent", "beltrami_mean", "beltrami_p50", "beltrami_p95",
+          "transport_flipped_faces"]
 text = "\n".join("\t".join(row) for row in [header, *rows])
 print(text)
 (options.out / "flow.tsv").write_text(text + "\n", encoding="utf-8")

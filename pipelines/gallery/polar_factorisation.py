@@ -5,10 +5,11 @@
 
 An area-preserving map makes the unit disk of a surface; another map f of it to the disk is then a map F of the disk to
 itself. Transport of the uniform measure to what F makes of it gives u, and s = (grad u)^-1 o F: the rearrangement that
-is left when the expansion is taken out. Printed and left in polar.tsv, for s at the middles of the cells of u and for s
-with the finish, which has no folds and exact vertices: the largest |ln r| of the cells or vertex stars, D_area and
-folds of s; the largest distance of grad u(s(x)) and F(x) over the vertices, and the share of them where it is 0; the sum
-of mass times squared distance from F, of s and of the identity: of all measure-preserving maps s is the nearest one.
+is left when the expansion is taken out.
+Printed and left in polar.tsv, for s at the middles of the cells of u and for s with the finish, which has no folds
+and exact vertices: the largest |ln r| of the cells or vertex stars, D_area and folds of s; the largest distance of
+grad u(s(x)) and F(x) over the vertices, and the share of them where it is 0; the sum of mass times squared distance
+from F, of s and of the identity: of all measure-preserving maps s is the nearest one.
 polar.png has the disk, s and F, coloured by the place in the disk.
 """
 import argparse

@@ -7,9 +7,9 @@ punched into them.
 COMMAND is the built `authalic`, DATA the folder of real test data. A model's row has its loops and faces, the Newton
 steps until the largest error of a cell, an area in the unit disk as in the paper, is below 1e-6 and below 1e-12, the
 smallest error that was reached, and that relative to the mean cell; CPU seconds of the whole command, conformal map,
-reading and writing included; D_area and folds of the transport, and of its finish, with their CPU seconds; refused: round holes do not fit. Ends with 1
-when an error stays above 1e-12, a cell is empty, a map takes more than 5 CPU seconds, a finish leaves a fold, or the
-judge does not agree.
+reading and writing included; D_area and folds of the transport, and of its finish (refused: round holes do not fit),
+with its CPU seconds. Ends with 1 when an error stays above 1e-12, a cell is empty, a map takes more than 5 CPU seconds,
+a finish leaves a fold, or the judge does not agree with the finished maps.
 """
 import argparse
 import math
@@ -24,7 +24,8 @@ import runs
 
 # name: (mesh, holes to punch, their radius in edges)
 MODELS = {"sophie": ("meshes/poly_annulus/sophie.off", 0, 0), "alex_3": ("meshes/poly_annulus/alex_3.off", 0, 0),
-          "camelhead": ("meshes/open_disk/camelhead.off", 2, 4), "human_face": ("meshes/open_disk/human_face.off", 3, 5),
+          "camelhead": ("meshes/open_disk/camelhead.off", 2, 4),
+          "human_face": ("meshes/open_disk/human_face.off", 3, 5),
           "max_planck": ("meshes/closed_g0/decimated-max.obj", 5, 4), "david": ("meshes/closed_g0/david.off", 7, 5),
           "gargoyle": ("meshes/closed_g0/gargoyle.obj", 7, 7)}
 REFUSED = 3
@@ -101,7 +102,8 @@ def model(name, command, data, folder):
 def finished(command, surface, words, folder):
     """The map with round holes; None where these do not fit, which the command says."""
     image = str(folder / "fits.vtp")
-    code, _, _, said = runs.timed([command, "map", *words, "--finish", "authalic", str(surface), "-o", image, "--quiet"])
+    code, _, _, said = runs.timed([command, "map", *words, "--finish", "authalic", str(surface), "-o", image,
+                                   "--quiet"])
     if code == REFUSED and "round holes" in said:
         return None
     return runs.Run(command, surface, [*words, "--finish", "authalic"], folder)
@@ -112,9 +114,8 @@ def measured(options, name, folder):
     surface = model(name, options.command, options.data, folder)
     words = ["transport", "--domain", "circle-domain"]
     bare = runs.Run(options.command, surface, [*words, "--tolerance", FLOOR, "--max-iterations", "40"], folder)
-    agree = not options.judge or bare.judged(options.judge)
     done = finished(options.command, surface, words, folder)
-    agree = agree and (not options.judge or done is None or done.judged(options.judge))
+    agree = not options.judge or done is None or done.judged(options.judge)
     loops, topology = len(bare.report["circles"]) // 3, bare.report["topology"]
     mean = math.pi / (topology["vertices"] + loops - 1)
     errors = [mean * residual for residual in bare.report["residual_history"]]

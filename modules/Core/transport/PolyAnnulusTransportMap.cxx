@@ -151,11 +151,12 @@ void PolyAnnulusTransportOptions::validate(const PolyAnnulusMesh& surface) const
     throw InvalidArgument("Positive hole areas are required, but one is " + text(area) + ".");
   }
   if (!(holeShare >= 0 && holeShare < 1)) {
-    throw InvalidArgument("A share of the disk below 1 for the holes, or 0 for their own areas, is required, but it is " +
-                          text(holeShare) + ".");
+    throw InvalidArgument("A share of the disk below 1 for the holes, or 0 for their own areas, is required, but it "
+                          "is " + text(holeShare) + ".");
   }
   if (holeShare > 0 && holes == 0) {
-    throw InvalidArgument("A surface with 2 boundary loops or more is required for a share of the holes, but it has 1.");
+    throw InvalidArgument(
+        "A surface with 2 boundary loops or more is required for a share of the holes, but it has 1.");
   }
 }
 
