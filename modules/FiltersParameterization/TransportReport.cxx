@@ -5,12 +5,22 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "Conversion.h"
 #include "FieldArrays.h"
 
 namespace authalic {
+namespace {
+
+Points3 lifted(const Points2& points) {
+  Points3 result = Points3::Zero(points.rows(), 3);
+  result.leftCols(2) = points;
+  return result;
+}
+
+}  // namespace
 
 MapReport describeTransport(const TransportSolution& result, const TransportCosts& costs, vtkPolyData* map) {
   MapReport report;
@@ -61,6 +71,25 @@ void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int
   output->SetPolys(polygons);
   addIds(output->GetCellData(), "SiteIds", sites);
   addArray(output->GetCellData(), "Area", drawn);
+}
+
+void addPlanarArrays(const PlanarTransport& transport, vtkPolyData* map) {
+  const Eigen::Index n = map->GetNumberOfPoints();
+  addArray(map->GetPointData(), "Site", lifted(transport.sites.topRows(n)));
+  addArray(map->GetPointData(), "CellArea", Eigen::VectorXd(transport.cellAreas.head(n)));
+  addArray(map->GetPointData(), "Potential", Eigen::VectorXd(transport.potential.head(n)));
+}
+
+void setPlanarCells(const PlanarTransport& transport, vtkPolyData* output) {
+  const CellPolygons& cells = transport.cells;
+  setCells(output, lifted(cells.corners), cells.starts, transport.cellAreas);
+  const Eigen::VectorXd heights = transport.heights.cast<double>();
+  Eigen::VectorXd potential(cells.corners.rows());
+  for (Eigen::Index i = 0; i < heights.size(); ++i) {
+    const int begin = cells.starts[static_cast<std::size_t>(i)], end = cells.starts[static_cast<std::size_t>(i) + 1];
+    for (int k = begin; k < end; ++k) potential[k] = cells.corners.row(k).dot(transport.sites.row(i)) + heights[i];
+  }
+  addArray(output->GetPointData(), "Potential", potential);
 }
 
 }  // namespace authalic

@@ -35,4 +35,19 @@ void describeFinish(const AuthalicSolution& finished, const FinishCosts& costs, 
 void setCells(vtkPolyData* output, const Points3& corners, const std::vector<int>& starts,
               const Eigen::VectorXd& areas);
 
+/// Sites, heights and cells of a transport in the plane, whichever surface it maps.
+struct PlanarTransport {
+  const Points2& sites;
+  const Heights& heights;
+  const Eigen::VectorXd& cellAreas;
+  const Eigen::VectorXd& potential;
+  const CellPolygons& cells;
+};
+
+/// Point arrays Site, CellArea, Potential of the map, whose vertices are the first sites.
+void addPlanarArrays(const PlanarTransport& transport, vtkPolyData* map);
+
+/// setCells() with the potential at the corners.
+void setPlanarCells(const PlanarTransport& transport, vtkPolyData* output);
+
 }  // namespace authalic

@@ -5,7 +5,6 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include "AuthalicReport.h"
@@ -14,39 +13,10 @@
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/geometry/Areas.h"
 #include "Core/transport/OptimalTransportMap.h"
-#include "FieldArrays.h"
 #include "MapArrays.h"
 #include "TransportReport.h"
 
 vtkStandardNewMacro(vtkOptimalTransportMap);
-
-namespace {
-
-authalic::Points3 lifted(const authalic::Points2& points) {
-  authalic::Points3 result = authalic::Points3::Zero(points.rows(), 3);
-  result.leftCols(2) = points;
-  return result;
-}
-
-void addMapArrays(vtkPolyData* map, const authalic::OptimalTransportMapResult& result) {
-  authalic::addArray(map->GetPointData(), "Site", lifted(result.sites));
-  authalic::addArray(map->GetPointData(), "CellArea", result.cellAreas);
-  authalic::addArray(map->GetPointData(), "Potential", result.potential);
-}
-
-void fillCells(vtkPolyData* cells, const authalic::OptimalTransportMapResult& result) {
-  authalic::setCells(cells, lifted(result.cells.corners), result.cells.starts, result.cellAreas);
-  const std::vector<int>& starts = result.cells.starts;
-  const Eigen::VectorXd heights = result.heights.cast<double>();
-  Eigen::VectorXd potential(result.cells.corners.rows());
-  for (Eigen::Index i = 0; i < heights.size(); ++i) {
-    const int begin = starts[static_cast<std::size_t>(i)], end = starts[static_cast<std::size_t>(i) + 1];
-    for (int k = begin; k < end; ++k) potential[k] = result.cells.corners.row(k).dot(result.sites.row(i)) + heights[i];
-  }
-  authalic::addArray(cells->GetPointData(), "Potential", potential);
-}
-
-}  // namespace
 
 vtkOptimalTransportMap::vtkOptimalTransportMap() {
   this->SetNumberOfInputPorts(2);
@@ -121,8 +91,10 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   report.options = this->DescribeAllOptions(given != nullptr);
   authalic::describeBalance(balance, report.options, output);
   if (!balance.whole()) report.method = "balanced";
-  addMapArrays(output, result);
-  fillCells(vtkPolyData::GetData(outputs, 1), result);
+  const authalic::PlanarTransport transport{result.sites, result.heights, result.cellAreas, result.potential,
+                                            result.cells};
+  authalic::addPlanarArrays(transport, output);
+  authalic::setPlanarCells(transport, vtkPolyData::GetData(outputs, 1));
   this->Publish(output, report);
 }
 

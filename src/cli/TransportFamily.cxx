@@ -1,5 +1,6 @@
 #include <vtkNew.h>
 #include <vtkOptimalTransportMap.h>
+#include <vtkPolyAnnulusTransportMap.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalTransportMap.h>
 
@@ -21,7 +22,8 @@ class TransportFamily : public MapFamily {
     return "transport: area-preserving, or to a measure of yours (--measure), by optimal transport: the power cell of "
            "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
            "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
-           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere.\n\n"
+           "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere, a surface with holes to --domain "
+           "circle-domain (unit disk; holes are filled with masses of their own, and round after the finish).\n\n"
            "balanced: between a conformal and an area-preserving map of a disk or, with --domain sphere, a closed "
            "surface of genus 0: transport from the conformal map with --balance " + shown(kHalf) + " and --finish "
            "authalic, if not given.";
@@ -38,20 +40,29 @@ class TransportFamily : public MapFamily {
              "Newton steps (default: " + std::to_string(defaults_->GetMaximumIterations()) + ")"},
             {"--finish", oneOf(finishes) + " (default: " +
                              finishes[static_cast<std::size_t>(defaults_->GetFinish())] + "; balanced: authalic)"},
+            {"--hole-areas", "--domain circle-domain"},
             {"--balance", "(default: " + shown(defaults_->GetBalance()) + "; balanced: " + shown(kHalf) + ")"}};
   }
 
   void declare(CLI::App* verb) override {
     own(verb->add_option("--cells", cells_, "The power cells: a polygon per vertex, with Area and Potential."))
         ->type_name("CELLS.vtp");
+    own(verb->add_option("--hole-share", holeShare_,
+                         "--domain circle-domain: part of the disk that all holes get together, in [0, 1), as "
+                         "--hole-areas or else the conformal map divides it; 0 = as large as their areas are."))
+        ->type_name("X")->default_str(shown(vtkNew<vtkPolyAnnulusTransportMap>()->GetHoleShare()));
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     if (!cells_.empty()) requireArrayFormat("--cells", cells_);
     const bool balanced = method == "balanced";
-    if (shared.domain == "sphere") {
+    if (shared.domain == "sphere" && shared.holeAreas.empty() && !holeShare_) {
       return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), balanced, shared, session);
+    }
+    if (shared.domain == "circle-domain") return holed(balanced, shared);
+    if (!shared.holeAreas.empty() || holeShare_) {
+      throw Failure(UsageProblem, "--hole-areas and --hole-share need --domain circle-domain with method transport.");
     }
     const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
     setDiskDomain(map, shared.domain);
@@ -85,14 +96,34 @@ class TransportFamily : public MapFamily {
   }
 
  private:
+  vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(bool balanced, const SharedMapOptions& shared) const {
+    if (balanced || shared.balance) {
+      throw Failure(UsageProblem, "--domain circle-domain has no balance; take method transport without it.");
+    }
+    if (shared.initial) {
+      throw Failure(UsageProblem, "--initial " + *shared.initial + " is not for --domain circle-domain; leave it out, "
+                                  "the start is the conformal map.");
+    }
+    const auto map = vtkSmartPointer<vtkPolyAnnulusTransportMap>::New();
+    for (const double area : shared.holeAreas) map->AddHoleArea(area);
+    if (holeShare_) map->SetHoleShare(*holeShare_);
+    setLimits(map.Get(), shared);
+    return map;
+  }
+
+  template <class Filter>
+  void setLimits(Filter* map, const SharedMapOptions& shared) const {
+    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
+    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
+    if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));
+  }
+
   template <class Filter>
   vtkSmartPointer<Filter> configured(vtkSmartPointer<Filter> map, bool balanced, const SharedMapOptions& shared,
                                      const Session& session) const {
     if (balanced) map->SetBalance(kHalf), map->SetFinishToAuthalic();
     if (const std::optional<double> balance = balanceNumber(shared)) map->SetBalance(*balance);
-    if (shared.tolerance) map->SetTolerance(*shared.tolerance);
-    if (shared.maxIterations) map->SetMaximumIterations(*shared.maxIterations);
-    if (shared.finish) map->SetFinish(choice("--finish", *shared.finish, finishes));
+    setLimits(map.Get(), shared);
     if (!shared.initial) return map;
     if (isFile(*shared.initial)) {
       map->SetInputData(1, readSurface(*shared.initial, session, shared.space));
@@ -107,6 +138,7 @@ class TransportFamily : public MapFamily {
 
   vtkNew<vtkOptimalTransportMap> defaults_;
   std::string cells_;
+  std::optional<double> holeShare_;
 };
 
 }  // namespace

@@ -286,6 +286,26 @@ class Results(CommandLine):
         self.assertIn("is not for --domain sphere", self.fails(2, "map", "transport", ball, "-o", "n.vtp", "--domain",
                                                                "sphere", "--initial", "riemann"))
 
+    def test_transport_fills_holes_with_masses_of_their_own(self):
+        tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
+        words = ("map", "transport", tube, "-o", "h.vtp", "--domain", "circle-domain")
+        self.succeeds(*words, "--cells", "c.vtp", "--report", "h.json", "--hole-share", 0.2)
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["method"], report["status"], report["empty_cells"]), ("transport", "converged", 0))
+        self.assertEqual((report["options"]["domain"], report["options"]["hole_share"]), ("circle-domain", 0.2))
+        self.assertLess(report["transport_residual"], 1e-9)
+        self.assertTrue((self.here / "c.vtp").exists())
+        self.succeeds(*words, "--report", "f.json", "--hole-areas", 650, "--finish", "authalic")
+        report = json.loads((self.here / "f.json").read_text())
+        self.assertEqual((report["status"], report["flips"], report["hole_areas"]), ("converged", 0, [650]))
+        self.assertLess(report["hole_residual"], 1e-12)
+        for code, options, said in ((2, ("--hole-share", 1), "below 1"), (2, ("--hole-areas", 1, 2), "each of the 1"),
+                                    (2, ("--initial", "riemann"), "leave it out"), (2, ("--balance", 0.5), "balance")):
+            self.assertIn(said, self.fails(code, *words, *options))
+        self.assertIn("need --domain", self.fails(2, "map", "transport", tube, "-o", "h.vtp", "--hole-share", 0.2))
+        disk = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
+        self.assertIn("boundary", self.fails(3, "map", "transport", disk, "-o", "h.vtp", "--domain", "circle-domain"))
+
     def test_not_converged_is_4_with_the_best_map_unless_allowed(self):
         words = ["map", "lie-flow", self.sheet, "-o", "m.vtp", "--tolerance", "1e-15", "--max-iterations", "1",
                  "--quiet"]

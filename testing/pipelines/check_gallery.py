@@ -249,6 +249,32 @@ class FlowAgainstTransport(Script):
         self.holds("--disk", lion, "--radius", 8.4261)
 
 
+class PolarFactorisation(Script):
+    def holds(self, *options):
+        self.run_script("polar_factorisation.py", *options)
+        header, *rows = (line.split("\t") for line in
+                         (self.out / "polar.tsv").read_text(encoding="utf-8").splitlines())
+        middles, finished = (dict(zip(header, row)) for row in rows)
+        self.assertLess(float(middles["log_ratio_max"]), 1e-9)
+        self.assertEqual(float(middles["composition_max"]), 0)
+        self.assertLess(float(finished["log_ratio_max"]), 1e-9)
+        self.assertLess(float(finished["area_distortion"]), 2.001)
+        self.assertEqual(finished["flipped_faces"], "0")
+        for found in (middles, finished):  # up to the size of cells
+            self.assertLess(float(found["cost"]), 1.001 * float(found["cost_of_identity"]))
+        self.has_picture("polar.png")
+
+    def test_on_fixtures(self):
+        self.holds()
+        self.holds("--method", "tutte")
+
+    def test_on_real_data(self):
+        lion = DATA / "meshes/open_disk/chinese_lion.off"
+        if not lion.exists():
+            self.skipTest(f"{lion} is not there")
+        self.holds("--disk", lion)
+
+
 class Checkerboard(Script):
     def read_obj(self):
         """(vertices, texture coordinates per vertex, picture), by the format's own rules."""

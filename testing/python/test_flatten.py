@@ -182,6 +182,20 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "free"):
             authalic.flatten(tube, method="authalic-holes", hole_areas=[150], free_radii=True)
 
+    def test_transport_fills_holes_and_the_finish_makes_them_round(self):
+        tube = authalic.read_surface(DATA / "bent_tube.off")
+        bare = authalic.flatten(tube, method="transport-holes", hole_share=0.25)
+        self.assertEqual(bare.status, "converged")
+        self.assertLess(bare.report["transport_residual"], 1e-9)
+        area = np.linalg.norm(np.cross(*(tube.points[tube.faces[:, k]] - tube.points[tube.faces[:, 0]]
+                                         for k in (1, 2))), axis=1).sum() / 2
+        self.assertAlmostEqual(bare.report["hole_areas"][0] / area, 1 / 3, 9)
+        round_one = authalic.flatten(tube, method="transport", domain="holes", hole_share=0.25, finish="authalic")
+        self.assertEqual((round_one.status, round_one.metrics["flipped_faces"]), ("converged", 0))
+        self.assertLess(round_one.metrics["vertex_log_area_ratio_max_abs"], 1e-9)
+        with self.assertRaisesRegex(authalic.InvalidArgument, "below 1"):
+            authalic.flatten(tube, method="transport-holes", hole_share=1)
+
     def test_tubes_go_to_the_periodic_rectangle_cut_open(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
         for method in ("authalic-holes", "lie-flow-holes"):

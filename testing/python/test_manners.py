@@ -140,6 +140,7 @@ CASES = {
     "vtkConformalWelding": Case((shell("upper"), shell("lower")), wrong=(0, disk), keeps_vertices=False),
     "vtkCircleDomainAuthalicMap": Case((tube,), {"Domain": 1, "Tolerance": 0.05}, wrong=(0, ball),
                                        adders={"AddHoleArea": (150.0,)}),
+    "vtkPolyAnnulusTransportMap": Case((tube,), wrong=(0, ball), adders={"AddHoleArea": (150.0,)}),
     "vtkMapDistortion": Case((the_map,), stops=False),
     "vtkSurfaceTopologyReport": Case((ball,), stops=False),
     "vtkRegionDensity": Case((disk,), {"RegionMode": 1, "Radius": 25.0, "Blend": 5.0}, stops=False,

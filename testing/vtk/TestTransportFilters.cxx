@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkOptimalTransportMap.h>
 #include <vtkPointData.h>
+#include <vtkPolyAnnulusTransportMap.h>
 #include <vtkPolyData.h>
 #include <vtkSphericalTransportMap.h>
 #include <vtkStringArray.h>
@@ -21,13 +22,16 @@
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/geometry/Areas.h"
 #include "Core/transport/OptimalTransportMap.h"
+#include "Core/transport/PolyAnnulusTransportMap.h"
 #include "Core/transport/SphericalTransportMap.h"
+#include "support/HoledMeshes.h"
 #include "support/TestMeshes.h"
 
 namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
+using authalic::testing::holedDisk;
 using authalic::testing::sphereMesh;
 using authalic::testing::wavySphere;
 
@@ -248,5 +252,65 @@ TEST_F(TransportFilters, GiveTheCurveOfBalancesAsATable) {
   EXPECT_EQ(curve->GetErrorKind(), 2);
   EXPECT_EQ(table->GetNumberOfRows(), 0);
   EXPECT_TRUE(curve->GetText().empty() && curve->GetReport().empty());
+  vtkObject::GlobalWarningDisplayOn();
+}
+
+TEST_F(TransportFilters, FillHolesWithMassesAndGiveTheImageAndTheCellsOfCore) {
+  const PolyAnnulusMesh surface(holedDisk(20, {{{0.4, 0.1}, 0.2}, {{-0.3, -0.3}, 0.25}}));
+  PolyAnnulusTransportOptions options;
+  options.holeAreas = {0.2, 0.1};
+  options.outerLoop = 0;
+  const auto core = polyAnnulusTransportMap(surface, TargetMeasure(surface.mesh()).vertices(), options);
+  vtkNew<vtkPolyAnnulusTransportMap> filter;
+  filter->SetInputData(0, polyData(surface.mesh()));
+  filter->AddHoleArea(0.2);
+  filter->AddHoleArea(0.1);
+  filter->SetOuterVertex(surface.loops()[0][1]);
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput(0);
+  const int n = surface.mesh().vertexCount();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(map), core.image);
+  EXPECT_EQ(field(map, "TransportCost"), core.transportCost);
+  EXPECT_LT(field(map, "HoleResidual"), 1e-9);
+  EXPECT_EQ(map->GetFieldData()->GetArray("HoleAreas")->GetComponent(1, 0), 0.1);
+  for (const char* name : {"Site", "CellArea", "Potential"}) EXPECT_TRUE(map->GetPointData()->HasArray(name)) << name;
+  vtkPolyData* cells = filter->GetOutput(1);
+  ASSERT_EQ(cells->GetNumberOfPolys(), n + 2);
+  for (const int i : {0, n - 1, n, n + 1}) {
+    EXPECT_EQ(cells->GetCellData()->GetArray("SiteIds")->GetComponent(i, 0), i);
+    EXPECT_NEAR(drawnArea(cells, i), core.cellAreas[i], 1e-5);
+  }
+}
+
+TEST_F(TransportFilters, MakeHolesRoundWithTheShareThatIsAskedFor) {
+  const TriangleMesh mesh = holedDisk(20, {{{0.4, 0.1}, 0.2}, {{-0.3, -0.3}, 0.25}});
+  vtkNew<vtkPolyAnnulusTransportMap> filter;
+  filter->SetInputData(0, polyData(mesh));
+  filter->SetHoleShare(0.3);
+  filter->SetFinishToAuthalic();
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+  EXPECT_LT(filter->GetTotalAreaDistortion(), 2.0002);
+  vtkDataArray* holes = filter->GetOutput()->GetFieldData()->GetArray("HoleAreas");
+  const double sum = holes->GetComponent(0, 0) + holes->GetComponent(1, 0);
+  EXPECT_NEAR(sum / (sum + faceAreas(mesh).sum()), 0.3, 1e-12);
+  EXPECT_LT(field(filter->GetOutput(), "HoleResidual"), 1e-12);
+}
+
+TEST_F(TransportFilters, RefuseHolesThatDoNotBelong) {
+  vtkObject::GlobalWarningDisplayOff();
+  vtkNew<vtkPolyAnnulusTransportMap> filter;
+  filter->SetInputData(0, polyData(holedDisk(12, {{{0.4, 0.1}, 0.2}})));
+  filter->SetHoleShare(1.5);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkPolyAnnulusTransportMap::ARGUMENT);
+  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  filter->SetHoleShare(0);
+  filter->SetInputData(0, polyData(sphereMesh(2)));
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkPolyAnnulusTransportMap::SURFACE);
   vtkObject::GlobalWarningDisplayOn();
 }

@@ -56,4 +56,15 @@ double polygonArea(const Points2& polygon) {
   return 0.5 * twice;
 }
 
+double loopConeArea(const TriangleMesh& surface, const std::vector<int>& loop) {
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
+  for (const int v : loop) tip += surface.point(v) / static_cast<double>(loop.size());
+  double area = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Eigen::Vector3d a = surface.point(loop[i]) - tip, b = surface.point(loop[(i + 1) % loop.size()]) - tip;
+    area += 0.5 * a.cross(b).norm();
+  }
+  return area;
+}
+
 }  // namespace authalic

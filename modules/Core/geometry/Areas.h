@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 #include "Core/mesh/TriangleMesh.h"
 
 namespace authalic {
@@ -27,6 +29,9 @@ namespace authalic {
 
 /// Faces of a planar mesh whose signed area is not positive.
 [[nodiscard]] int countFlippedFaces(const Points2& points, const Faces& faces);
+
+/// Area of the cone over a closed loop of vertices, tip in the mean of the loop: what closes a hole, mm².
+[[nodiscard]] double loopConeArea(const TriangleMesh& surface, const std::vector<int>& loop);
 
 /// Signed area of the polygon through the rows, positive when counter-clockwise (shoelace formula).
 [[nodiscard]] double polygonArea(const Points2& polygon);

@@ -37,6 +37,7 @@ METHODS: dict[str, Method] = {
     "authalic-flat-cones": Method("vtkFlatConeAuthalicMap", surface="flat-cones"),
     "authalic-holes": Method("vtkCircleDomainAuthalicMap", surface="annulus"),
     "transport": Method("vtkOptimalTransportMap"),
+    "transport-holes": Method("vtkPolyAnnulusTransportMap", surface="annulus"),
     "transport-sphere": Method("vtkSphericalTransportMap", surface="sphere"),
     "balanced": Method("vtkOptimalTransportMap", {"initial_method": "riemann", "finish": "authalic", "balance": 0.5}),
     "balanced-sphere": Method("vtkSphericalTransportMap", {"finish": "authalic", "balance": 0.5}, surface="sphere"),
@@ -142,6 +143,8 @@ def flatten(points: Any,
                 "authalic-flat-cones" for genus 2 or more, "authalic-holes" for boundary loops: onto the disk without
                 round holes (free_radii, hold_centres), or domain="annulus", or, tubes cut open, "periodic-rectangle";
                 "transport", "transport-sphere": by optimal transport; finish="authalic" unfolds it and makes it exact;
+                "transport", "transport-sphere", "transport-holes": by optimal transport; finish="authalic" unfolds it
+                and makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
                 "balanced", "balanced-sphere": the same between angles and areas, see `balance` (0.5);
@@ -166,8 +169,8 @@ def flatten(points: Any,
                 to the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
     tolerance   residual at which an iteration is done; None = the default of the method
     max_iterations  None = the default of the method
-    hole_areas  of "authalic-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2, in the order of the
-                loops' smallest vertex ids; None = of the cones that close them
+    hole_areas  of "authalic-holes", "transport-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2,
+                in the order of the loops' smallest vertex ids; None = of the cones that close them
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
