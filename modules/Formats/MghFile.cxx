@@ -193,8 +193,6 @@ std::int32_t codeOf(VoxelType type) {
       return 1;
     case VoxelType::Int16:
       return 4;
-    case VoxelType::Uint16:
-      return 10;
     default:
       return 3;
   }

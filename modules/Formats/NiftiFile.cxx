@@ -190,6 +190,10 @@ void setFrames(const std::string& path, nifti_1_header& header, const StoredVolu
     arranged *= header.dim[axis];
   }
   if (arranged == volume.framesHeld) {
+    for (int axis = header.dim[0] + 1; axis < 8; ++axis) {  // unused, however the notes fill them
+      header.dim[axis] = axis <= 3 ? header.dim[axis] : short{1};
+      header.pixdim[axis] = axis <= 3 || (axis == 4 && volume.timeStep > 0) ? header.pixdim[axis] : 1.F;
+    }
     return;
   }
   if (volume.framesHeld > 32767) {

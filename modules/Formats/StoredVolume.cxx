@@ -71,8 +71,7 @@ bool holds(const std::string& path, VoxelType type, bool scaled) {
   if (!isMghName(path)) {
     return type != VoxelType::None;
   }
-  constexpr std::array<VoxelType, 5> known{VoxelType::Uint8, VoxelType::Int16, VoxelType::Uint16, VoxelType::Int32,
-                                           VoxelType::Float32};
+  constexpr std::array<VoxelType, 4> known{VoxelType::Uint8, VoxelType::Int16, VoxelType::Int32, VoxelType::Float32};
   return !scaled && std::find(known.begin(), known.end(), type) != known.end();
 }
 

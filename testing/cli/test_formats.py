@@ -134,19 +134,6 @@ class Spaces(Formats):
             line = self.lines_of(name)["space"]
             self.assertTrue(line.startswith(space) and why in line, line)
 
-    def nifti(self, name, sform_code, qform_code, shift):
-        header = bytearray(352)
-        struct.pack_into("<i", header, 0, 348)
-        struct.pack_into("<8h", header, 40, 3, 2, 3, 4, 1, 1, 1, 1)
-        struct.pack_into("<hh", header, 70, 4, 16)
-        struct.pack_into("<4f", header, 76, 1, 2, 2, 2)
-        struct.pack_into("<f", header, 108, 352)
-        header[123] = 2
-        struct.pack_into("<hh6f", header, 252, qform_code, sform_code, 0, 0, 0, 5 + shift, 6, 7)
-        struct.pack_into("<12f", header, 280, 2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 2, 7)
-        header[344:348] = b"n+1\0"
-        self.path(name).write_bytes(bytes(header) + struct.pack("<24h", *range(24)))
-
     def test_info_reports_sform_and_qform_that_disagree(self):
         for name, shift, warned in (("agree.nii", 0, False), ("differ.nii", 3, True)):
             self.nifti(name, 4, 1, shift)
@@ -270,13 +257,89 @@ class Volumes(Formats):
                 np.testing.assert_allclose(ours.affine, affine, atol=2e-5)
 
     @needs_nibabel
-    def test_several_frames_need_a_choice(self):
-        voxels = np.arange(2 * 3 * 4 * 3, dtype="f4").reshape(2, 3, 4, 3)
-        nibabel.save(nibabel.Nifti1Image(voxels, np.diag([1, 2, 3, 1])), self.path("t.nii"))
-        self.assertIn("--frame 0 to 2", self.fails(2, "convert", "t.nii", "f.mgz"))
+    def test_every_type_and_scaling_comes_back_bit_for_bit_through_nifti(self):
+        random = np.random.default_rng(7)
+        for kind in ("u1", "i1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
+            info = np.iinfo(kind) if kind[0] != "f" else None
+            voxels = random.integers(info.min, info.max, (3, 4, 5), kind, True) if info else \
+                random.normal(size=(3, 4, 5)).astype(kind)
+            for slope, inter in ((1, 0), (0.25, -3), (1 / 255, 7.5)) if info and info.bits <= 32 else ((1, 0),):
+                image = nibabel.Nifti1Image(voxels, np.diag([2, 3, 4, 1]))
+                image.header.set_xyzt_units("mm", "sec")
+                image.header.set_slope_inter(slope, inter)
+                nibabel.save(image, self.path("k.nii"))
+                for name in ("l.nii", "l.nii.gz"):
+                    self.assertEqual(self.converts("k.nii", name), "", (kind, slope))
+                    ours = nibabel.load(self.path(name))
+                    self.assertEqual(ours.get_data_dtype(), np.dtype(kind), (kind, slope))
+                    np.testing.assert_array_equal(ours.dataobj.get_unscaled(), voxels)
+                    self.assertEqual((ours.dataobj.slope, ours.dataobj.inter), (np.float32(slope), np.float32(inter)))
+                said = self.converts("k.nii", "l.mgz")
+                theirs, back = nibabel.load(self.path("k.nii")).get_fdata(), nibabel.load(self.path("l.mgz")).get_fdata()
+                self.assertEqual("Values are rounded" in said, not np.array_equal(theirs, back), (kind, slope, said))
+
+    @needs_nibabel
+    def test_every_frame_its_time_and_the_notes_of_the_header_are_kept(self):
+        voxels = np.arange(2 * 3 * 4 * 3, dtype="i2").reshape(2, 3, 4, 3)
+        image = nibabel.Nifti1Image(voxels, np.diag([1, 2, 3, 1]), None)
+        image.header["descrip"], image.header["cal_max"] = b"mine", 9
+        image.header.extensions.append(nibabel.nifti1.Nifti1Extension("comment", b"a word or two"))
+        image.header.set_xyzt_units("mm", "msec")
+        image.header["pixdim"][4] = 1500
+        nibabel.save(image, self.path("t.nii"))
+        for source, name in (("t.nii", "u.nii.gz"), ("u.nii.gz", "w.nii")):
+            self.assertEqual(self.converts(source, name), "")
+            ours = nibabel.load(self.path(name))
+            np.testing.assert_array_equal(np.asanyarray(ours.dataobj), voxels)
+            for field in ("descrip", "cal_max", "xyzt_units", "pixdim", "dim"):
+                np.testing.assert_array_equal(ours.header[field], image.header[field], field)
+            self.assertEqual(ours.header.extensions[0].get_content().rstrip(b"\0"), b"a word or two")
+        self.assertIn("description, display range, extensions", self.converts("t.nii", "f.mgz"))
+        ours = nibabel.load(self.path("f.mgz"))
+        np.testing.assert_array_equal(np.asanyarray(ours.dataobj), voxels)
+        self.assertEqual(ours.header["tr"], 1500)
+        self.converts("f.mgz", "g.nii")
+        self.assertEqual(nibabel.load(self.path("g.nii")).header.get_zooms()[3], 1.5)
         self.assertIn("2 other frames", self.converts("t.nii", "f.mgz", "--frame", "2"))
         np.testing.assert_array_equal(nibabel.load(self.path("f.mgz")).get_fdata(), voxels[..., 2])
         self.fails(5, "convert", "t.nii", "f.mgz", "--frame", "3")
+        self.assertIn("--frame 0 to 2", self.fails(2, "sample", "t.nii", "lh.white", "-o", "s.vtp"))
+        self.succeeds("sample", "t.nii", "lh.white", "-o", "s.vtp", "--frame", "1")
+
+    def test_tags_and_scan_parameters_of_mgh_are_kept_in_mgh_and_said_lost_elsewhere(self):
+        self.nifti("n.nii", 1, 0, 0)
+        self.succeeds("convert", "n.nii", "a.mgh", "-q")
+        notes = struct.pack(">5f", 2300, 0.5, 2.9, 900, 256) + struct.pack(">iq", 3, 12) + b"mri_convert\0"
+        whole = self.bytes("a.mgh")[:284 + 48] + notes
+        self.path("a.mgh").write_bytes(whole)
+        for name in ("b.mgz", "b.mgh"):
+            self.assertEqual(self.converts("a.mgh", name), "")
+        self.assertEqual(self.bytes("b.mgh"), whole)
+        self.assertEqual(gzip.decompress(self.bytes("b.mgz")), whole)
+        self.assertIn("scan parameters, tags", self.converts("a.mgh", "c.nii"))
+        self.assertAlmostEqual(struct.unpack_from("<f", self.bytes("c.nii"), 76 + 16)[0], 2.3, places=6)
+
+    def test_transforms_that_disagree_are_refused_with_the_option_that_resolves_it(self):
+        self.nifti("d.nii", 4, 1, 3)
+        self.nifti("near.nii", 4, 1, 0.5)
+        words = self.fails(2, "convert", "d.nii", "o.nii")
+        self.assertIn("--transform sform or --transform qform", words)
+        self.assertIn("3 mm", words)
+        for verb in (("sample", "d.nii", "lh.white", "-o", "o.vtp"), ("extract", "d.nii", "-o", "folder")):
+            self.assertIn("--transform", self.fails(2, *verb))
+        for choice, origin, code, other in (("sform", 5, 4, "qform"), ("qform", 8, 1, "sform")):
+            said = self.converts("d.nii", "o.nii", "--transform", choice)
+            self.assertIn(f"The {other}, which puts voxels up to 3 mm elsewhere, is not kept", said)
+            line = self.lines_of("o.nii")
+            self.assertIn(f"sform, code {code}", line["space"])
+            self.assertIn(f"NIfTI {choice}, code {code}", self.lines_of("d.nii", "--transform", choice)["space"])
+            self.assertEqual(struct.unpack_from("<f", self.bytes("o.nii"), 292)[0], origin)
+        self.assertIn("qform", self.converts("near.nii", "o.nii"))  # within half a voxel: said
+        self.nifti("only.nii", 4, 0, 0)
+        self.assertIn("qform", self.fails(5, "convert", "only.nii", "o2.nii", "--transform", "qform"))
+        self.succeeds("convert", "only.nii", "o.mgh", "-q")
+        self.assertIn("sform and qform", self.fails(5, "info", "o.mgh", "--transform", "qform"))
+        self.fails(2, "convert", "lh.white", "o2.vtp", "--transform", "qform")
 
     def test_kinds_that_do_not_become_each_other_are_refused(self):
         volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
