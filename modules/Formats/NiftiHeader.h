@@ -26,7 +26,8 @@ struct NiftiHeader {
   int transformCode = 0;
   double disagreement = 0;              ///< mm between sform and qform at the farthest corner; 0 up to 1e-3
   double timeStep = 0;                  ///< s between frames; 0 = not stated
-  std::vector<std::uint8_t> asNifti1;   ///< the header as NIfTI-1 in the order of this machine; empty when it does not fit
+  /// The header as NIfTI-1 in the order of this machine; empty when it does not fit.
+  std::vector<std::uint8_t> asNifti1;
   std::string notes;                    ///< what it says beyond place, type and time: "description, intent"
   std::vector<std::string> warnings;
 };

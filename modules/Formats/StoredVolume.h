@@ -51,8 +51,8 @@ struct VolumeRequest {
 /// @throws FormatError as readVolume() does
 [[nodiscard]] StoredVolume readStoredVolume(const std::string& path, const VolumeRequest& request);
 
-/// Whether a file of that name holds such numbers: MGH holds uint8, int16, int32 and float32 without scaling; its uint16
-/// is younger than many readers, so it is read but not written.
+/// Whether a file of that name is given such numbers: MGH holds uint8, int16, int32 and float32 without scaling; its
+/// uint16 is younger than many readers, so it is read but not written.
 [[nodiscard]] bool holds(const std::string& path, VoxelType type, bool scaled);
 
 /// Writes NIfTI-1 or MGH by the name, as writeVolume() does, with the notes that belong to the format.

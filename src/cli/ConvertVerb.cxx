@@ -34,8 +34,8 @@ VerbHelp convertHelp() {
       "FreeSurfer surface\n\n"
       "per-vertex data, arrays named with --array: .func.gii, .shape.gii, .label.gii, .annot, .label, .w, .mgh, .mgz, "
       ".txt, .curv, .thickness, .sulc, .area; anything else is FreeSurfer's curv where INPUT is per-vertex data\n\n"
-      "volumes: .nii, .nii.gz, .mgh, .mgz; every frame unless --frame names one, numbers in the type they have where the "
-      "format holds it\n\n"
+      "volumes: .nii, .nii.gz, .mgh, .mgz; every frame unless --frame names one, numbers in the type they have where "
+      "the format holds it\n\n"
       "Coordinates are written in scanner RAS when the space is known, in FreeSurfer's files in tkRAS when the volume "
       "geometry is. What the format has no room for is said on stderr, one sentence each.";
   help.examples = {

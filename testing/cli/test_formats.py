@@ -264,7 +264,7 @@ class Volumes(Formats):
             voxels = random.integers(info.min, info.max, (3, 4, 5), kind, True) if info else \
                 random.normal(size=(3, 4, 5)).astype(kind)
             for slope, inter in ((1, 0), (0.25, -3), (1 / 255, 7.5)) if info and info.bits <= 32 else ((1, 0),):
-                image = nibabel.Nifti1Image(voxels, np.diag([2, 3, 4, 1]))
+                image = nibabel.Nifti1Image(voxels, np.diag([2, 3, 4, 1]), dtype=kind)
                 image.header.set_xyzt_units("mm", "sec")
                 image.header.set_slope_inter(slope, inter)
                 nibabel.save(image, self.path("k.nii"))
@@ -275,7 +275,7 @@ class Volumes(Formats):
                     np.testing.assert_array_equal(ours.dataobj.get_unscaled(), voxels)
                     self.assertEqual((ours.dataobj.slope, ours.dataobj.inter), (np.float32(slope), np.float32(inter)))
                 said = self.converts("k.nii", "l.mgz")
-                theirs, back = nibabel.load(self.path("k.nii")).get_fdata(), nibabel.load(self.path("l.mgz")).get_fdata()
+                theirs, back = (nibabel.load(self.path(name)).get_fdata() for name in ("k.nii", "l.mgz"))
                 self.assertEqual("Values are rounded" in said, not np.array_equal(theirs, back), (kind, slope, said))
 
     @needs_nibabel

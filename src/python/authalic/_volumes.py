@@ -89,8 +89,8 @@ def write_volume(path: Path, volume: Any) -> list[str]:
 
     volume  Volume or vtkImageData, scanner RAS mm; one that says that its space is unknown is refused
 
-    Values get the narrowest type that gives each back exactly (fields["StoredType"] when that does). Returns what the format had no room for, one sentence each. Raises
-    FormatError, InvalidArgument.
+    Values get the narrowest type that gives each back exactly (fields["StoredType"] when that does). Returns what the
+    format had no room for, one sentence each. Raises FormatError, InvalidArgument.
     """
     return write_with(_classes.vtkVolumeFileWriter(), path, _image(volume))
 
@@ -108,11 +108,11 @@ def _image(volume: Any) -> Any:
 def _only_what_is_clear(volume, path):
     apart = volume.fields.get("TransformDisagreement", 0.0)
     if apart > 0.5 * np.linalg.norm(volume.affine[:3, :3], axis=0).min():
-        raise InvalidArgument(f"{path}: one place is required, but the sform and the qform put voxels up to {apart:g} mm "
-                              "apart, over half a voxel; read_volume(path, transform=\"sform\" or \"qform\") first.")
+        raise InvalidArgument(f"{path}: one place is required, but the sform and the qform put voxels up to {apart:g} "
+                              "mm apart, over half a voxel; read it first with transform='sform' or transform='qform'.")
     if volume.fields.get("Frames", 1) > 1:
         raise InvalidArgument(f"{path}: a volume of one frame is required, but it has {volume.fields['Frames']}; "
-                              "read_volume(path, frame=...) first.")
+                              "read it first with frame=...")
     return volume
 
 
