@@ -18,6 +18,7 @@
 #include "Formats/Gifti.h"
 #include "Formats/Morphometry.h"
 #include "Formats/Mz3.h"
+#include "Formats/StoredVolume.h"
 #include "Formats/SurfaceFile.h"
 #include "Formats/VolumeFile.h"
 #include "support/TestMeshes.h"
@@ -64,6 +65,10 @@ inline void readConsistentVolume(const std::string& path) {
   require(scalars.values.size() == static_cast<std::size_t>(d[0]) * d[1] * d[2], "wrong number of voxels");
   require(scalars.values.size() < 100000, "voxels from nowhere");
   require(file.voxelToWorld().allFinite() && std::abs(file.voxelToWorld().determinant()) > 0, "affine");
+  const StoredVolume stored = readStoredVolume(path, {0, true, true, VolumeTransform::Automatic});
+  const std::size_t all = scalars.values.size() * static_cast<std::size_t>(stored.framesHeld);
+  require(stored.bytes.size() == all * static_cast<std::size_t>(voxelSize(stored.type)), "wrong number of bytes");
+  require(stored.framesHeld == file.frames, "frames");
 }
 
 /// Two maps on a surface of ten vertices, of which four have values.
@@ -174,6 +179,22 @@ inline void writeOldAnnot(const std::string& path) {
   writeBytesOf(path, bytes);
 }
 
+/// A tetrahedron as GIFTI without compression, so that altered bytes are altered numbers.
+inline void writePlainGifti(const std::string& path, bool base64) {
+  const std::string encoding = base64 ? "Base64Binary" : "ASCII";
+  const auto array = [&](const char* intent, const char* type, const char* data) {
+    return "<DataArray Intent=\"NIFTI_INTENT_" + std::string(intent) + "\" DataType=\"NIFTI_TYPE_" + type +
+           "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"2\" Dim0=\"4\" Dim1=\"3\" Encoding=\"" + encoding +
+           "\" Endian=\"LittleEndian\"><Data>" + data + "</Data></DataArray>";
+  };
+  const char* points = base64 ? "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"
+                              : "0 0 0  1 0 0  0 1 0  0 0 1";
+  const char* faces = base64 ? "AAAAAAIAAAABAAAAAAAAAAEAAAADAAAAAQAAAAIAAAADAAAAAAAAAAMAAAACAAAA"
+                             : "0 2 1  0 1 3  1 2 3  0 3 2";
+  std::ofstream(path) << "<?xml version=\"1.0\"?><GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">"
+                      << array("POINTSET", "FLOAT32", points) << array("TRIANGLE", "INT32", faces) << "</GIFTI>";
+}
+
 inline std::vector<HostileCase> olderCases() {
   const auto scalars = [](const std::string& path) { require(!readVertexScalars(path).empty(), "no values"); };
   return {
@@ -196,6 +217,8 @@ inline std::vector<HostileCase> olderCases() {
                                 "8</Data></DataArray></GIFTI>";
        },
        [](const auto& path) { require(!readVertexScalars(path, 42).empty(), "no values"); }},
+      {"s.ascii.gii", [](const auto& path) { writePlainGifti(path, false); }, readConsistentSurface},
+      {"s.base64.gii", [](const auto& path) { writePlainGifti(path, true); }, readConsistentSurface},
       {"v.hdr",  // a header without voxels, and the voxels in the same bytes
        [](const auto& path) {
          writeVolume(path + ".nii", ScalarVolume({2, 2, 2}, Eigen::Matrix4d::Identity(), 1));
@@ -283,6 +306,9 @@ inline std::vector<HostileCase> cases() {
        }},
   };
 }
+
+/// Whether these are the bytes of a gzip file: what is inside is then altered too, and packed again.
+inline bool isPacked(const std::string& bytes) { return bytes.rfind("\x1F\x8B", 0) == 0; }
 
 inline const std::vector<HostileCase>& allHostileCases() {
   static const std::vector<HostileCase> all = [] {
