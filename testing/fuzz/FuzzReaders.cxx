@@ -1,8 +1,8 @@
 // libFuzzer on one reader, chosen by its name in AUTHALIC_FUZZ_READER (support/HostileCases.h lists them).
 // With AUTHALIC_FUZZ_SEEDS set to a folder, writes the reader's own file there as a seed and ends.
 //
-// What is gzipped is fuzzed inside: the seed is unpacked, and every input is packed before it is read, so that the fuzzer
-// meets the reader and not the checksum. With AUTHALIC_FUZZ_RAW set it is not.
+// What is gzipped is fuzzed inside: the seed is unpacked, and every input is packed before it is read, so that the
+// fuzzer meets the reader and not the checksum. With AUTHALIC_FUZZ_RAW set it is not.
 //
 // Only a FormatError may leave a reader, and what it returns must not contradict itself; libFuzzer's limits of time and
 // memory and the sanitizers see the rest.
