@@ -24,6 +24,8 @@ std::string targetOf(const std::string& path) {
     if (!error) {
       return resolved.string();
     }
+    throw FormatError(path, "A file is to be written, but that name is a link that leads nowhere (" + error.message() +
+                                "); choose another name.");
   }
   return path;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <map>
 
 #include "Core/base/Error.h"
@@ -119,7 +120,12 @@ class LegacyWalker {
     if (binary_) {
       return width == 8 ? cursor_.next<std::int64_t>("cells") : cursor_.next<std::int32_t>("cells");
     }
-    return parseNumber<std::int64_t>(need("cells")).value_or(-1);
+    const auto number = parseNumber<std::int64_t>(need("cells"));
+    const bool fits = number && (width == 8 || (*number >= INT32_MIN && *number <= INT32_MAX));
+    if (!fits) {  // VTK's reader would stop here and leave the rest as it was
+      failCells();
+    }
+    return *number;
   }
   [[noreturn]] void failCells() const {
     cursor_.fail("The list of cells of the VTK file contradicts its own sizes; it is damaged.");

@@ -5,7 +5,9 @@
 
 Files are made here; what nibabel and wb_command make of ours is compared where they are installed.
 """
+import base64
 import gzip
+import os
 import pathlib
 import shutil
 import struct
@@ -413,6 +415,70 @@ class Hostile(Formats):
             self.assertEqual(result.returncode, 5, (name, result.stderr))
             self.assertEqual(len(result.stderr.splitlines()), 1)
             self.assertLess(time.monotonic() - begin, 5, "0.1 s on an idle machine")
+
+
+    def test_a_vtp_whose_arrays_claim_gigabytes_is_refused_without_the_memory(self):
+        self.succeeds("convert", "lh.white", "s.vtp", "-q")
+        whole = self.bytes("s.vtp")
+        data = whole.index(b"_", whole.index(b"<AppendedData")) + 1
+        offsets = [int(part.split(b'"')[1]) for part in whole[:data].split(b" offset=")[1:]]
+        for offset in offsets:
+            for claim in (struct.pack("<III", 2**31, 32768, 0), struct.pack("<III", 2**20, 2**31, 1),
+                          struct.pack("<III", 2**32 - 1, 2**32 - 1, 2**32 - 1), struct.pack("<IIII", 1, 32768, 8, 2**32 - 4)):
+                at, words = data + offset, base64.b64encode(claim).rstrip(b"=")
+                self.path("c.vtp").write_bytes(whole[:at] + words + whole[at + len(words):])
+                result = self.limited("info", "c.vtp", setup="ulimit -v 2000000;")
+                self.assertEqual(result.returncode, 5, (offset, claim, result.stderr))
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+
+    def test_names_of_any_kind_are_read_and_written_and_what_is_no_file_is_refused_in_words(self):
+        for name in ("with blank.vtp", "größe ☃.surf.gii", "no-ending", "-dash.vtp", "a\nb.ply", "two..dots.off", "UP.VTP",
+                     "x" * 200 + ".obj"):
+            path = "./" + name if name.startswith("-") else name
+            self.succeeds("convert", "lh.white", path, "-q")
+            self.assertIn("81", self.lines_of(path)["vertices"], name)
+        self.path("folder.vtp").mkdir()
+        self.path("empty.vtp").write_bytes(b"")
+        self.path("loop.vtp").symlink_to("loop.vtp")
+        self.path("gone.vtp").symlink_to("nowhere.vtp")
+        os.mkfifo(self.path("fifo.vtp"))
+        for name in ("folder.vtp", "empty.vtp", "loop.vtp", "gone.vtp", "fifo.vtp", "missing.vtp", "lh.white/x.vtp",
+                     "x" * 300 + ".vtp", "/dev/null", "/dev/zero", "/proc/self/mem"):
+            for words in (("info", name), ("convert", name, "o.vtp"), ("repair", name, "o.vtp"),
+                          ("map", "tutte", name, "-o", "o.vtp"), ("convert", "lh.white", "o.vtp", "--data", name)):
+                self.fails(5, *words)
+        for name in ("folder.vtp", "loop.vtp", "fifo.vtp", "lh.white/x.vtp", "x" * 300 + ".vtp", "/dev/null"):
+            self.fails(5, "convert", "lh.white", name)
+        self.succeeds("convert", "lh.white", "gone.vtp", "-q")  # through the link
+        self.assertTrue(self.path("gone.vtp").is_symlink() and self.path("nowhere.vtp").is_file())
+
+    def test_coordinates_that_are_no_numbers_and_surfaces_without_faces_are_refused_by_every_reader(self):
+        for value in (float("nan"), float("inf")):
+            data = bytearray(self.bytes("lh.white"))
+            struct.pack_into(">f", data, data.index(b"\n\n") + 10 + 12 * 7, value)
+            self.path("lh.bad").write_bytes(bytes(data))
+            for words in (("info", "lh.bad"), ("repair", "lh.bad", "o.vtp"), ("map", "tutte", "lh.bad", "-o", "o.vtp"),
+                          *(("convert", "lh.bad", name) for name in ("o.surf.gii", "o.ply", "o.stl", "o.mz3", "lh.o"))):
+                self.assertIn("vertex 7", self.fails(3, *words))
+        self.path("none.off").write_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")
+        for words in (("repair", "none.off", "o.vtp"), ("map", "tutte", "none.off", "-o", "o.vtp")):
+            self.assertRegex(self.fails(3, *words), "face|triangle")
+
+    def test_mz3_is_repaired_and_its_dry_run_writes_nothing(self):
+        white(self.path("plain.white"), geometry="")
+        self.converts("plain.white", "s.mz3", "--data", "lh.thickness")
+        result = self.run_verb("repair", "s.mz3", "--dry-run")
+        self.assertEqual((result.returncode, "nothing to repair" in result.stderr), (0, True), result.stderr)
+        data = bytearray(gzip.decompress(self.bytes("s.mz3")))
+        faces = 16 + 12 * 5
+        data[faces:faces + 8] = data[faces + 4:faces + 8] + data[faces:faces + 4]  # turned
+        self.path("t.mz3").write_bytes(bytes(data))
+        before = set(self.here.iterdir())
+        result = self.run_verb("repair", "t.mz3", "--dry-run")
+        self.assertIn("would be: 1 face turned round", result.stderr)
+        self.assertEqual(set(self.here.iterdir()), before)
+        self.succeeds("repair", "t.mz3", "r.mz3")
+        self.assertIn("nothing to repair", self.run_verb("repair", "r.mz3", "--dry-run").stderr)
 
 
 if __name__ == "__main__":
