@@ -58,10 +58,12 @@ class LegacyWalker {
   }
 
   void walkHeader() {
-    if (cursor_.line().compare(0, 5, "# vtk") != 0) {
+    const std::string first = cursor_.line();
+    if (first.compare(0, 5, "# vtk") != 0) {
       cursor_.seek(0);
       cursor_.fail("A legacy VTK file begins with \"# vtk DataFile\", but this one does not.");
     }
+    walkVersion(first);
     static_cast<void>(cursor_.line());
     const std::string mode = upper(need("ASCII or BINARY"));
     binary_ = mode == "BINARY";
@@ -79,6 +81,20 @@ class LegacyWalker {
       cursor_.fail("A surface (DATASET POLYDATA) is needed, but the VTK file says \"" + word.substr(0, 24) +
                    " " + kind.substr(0, 24) + "\".");
     }
+  }
+
+  /// Since 5.0 cells are offsets and corners. VTK's reader goes by the version alone.
+  void walkVersion(const std::string& line) {
+    constexpr std::string_view words = "# vtk DataFile Version ";
+    const std::string_view version = std::string_view(line).substr(std::min(words.size(), line.size()));
+    const std::size_t dot = version.find('.');
+    const auto major = parseNumber<int>(version.substr(0, dot));
+    if (line.compare(0, words.size(), words) != 0 || dot == std::string_view::npos || !major || *major < 1 ||
+        *major > 5) {
+      cursor_.fail("The first line of a legacy VTK file ends with its version, 1.0 to 5.1, but this one is \"" +
+                   line.substr(0, 40) + "\".");
+    }
+    offsets_ = *major >= 5;
   }
 
   void walkSection(const std::string& word) {
@@ -103,7 +119,10 @@ class LegacyWalker {
     const auto size = count("the number of cell entries");
     const std::size_t before = cursor_.position();
     const std::string word = upper(token());
-    if (word != "OFFSETS") {  // the layout before 5.1: size and corners of each cell in one list
+    if ((word == "OFFSETS") != offsets_) {
+      cursor_.fail("The layout of the cells of the VTK file is not that of its version; it is damaged.");
+    }
+    if (!offsets_) {  // size and corners of each cell in one list
       cursor_.seek(before);
       walkCellList(cells, size);
       return;
@@ -286,6 +305,7 @@ class LegacyWalker {
   ByteCursor cursor_;
   std::string_view text_;
   bool binary_ = false;
+  bool offsets_ = false;  ///< cells as offsets and corners
   std::uint64_t tuples_ = 0;
 };
 
