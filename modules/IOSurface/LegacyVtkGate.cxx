@@ -87,10 +87,11 @@ class LegacyWalker {
   void walkVersion(const std::string& line) {
     constexpr std::string_view words = "# vtk DataFile Version ";
     const std::string_view version = std::string_view(line).substr(std::min(words.size(), line.size()));
-    const std::size_t dot = version.find('.');
+    const std::size_t dot = std::min(version.find('.'), version.size());
     const auto major = parseNumber<int>(version.substr(0, dot));
-    if (line.compare(0, words.size(), words) != 0 || dot == std::string_view::npos || !major || *major < 1 ||
-        *major > 5) {
+    std::string_view rest = version.substr(std::min(dot + 1, version.size()));
+    const auto minor = parseNumber<int>(nextToken(rest));
+    if (line.compare(0, words.size(), words) != 0 || !major || !minor || *major < 1 || *major > 5 || *minor < 0) {
       cursor_.fail("The first line of a legacy VTK file ends with its version, 1.0 to 5.1, but this one is \"" +
                    line.substr(0, 40) + "\".");
     }
@@ -176,7 +177,13 @@ class LegacyWalker {
     if (binary_) {
       static_cast<void>(cursor_.line());
     }
-    const int width = upper(type) == "VTKTYPEINT64" ? 8 : 4;
+    static const std::map<std::string, int> widths{
+        {"VTKTYPEINT64", 8}, {"LONG", 8}, {"VTKTYPEINT32", 4}, {"INT", 4}, {"VTKIDTYPE", 4}};
+    const auto known = widths.find(upper(type));
+    if (known == widths.end()) {
+      cursor_.fail("Offsets of cells should be whole numbers, but are of type \"" + type.substr(0, 24) + "\".");
+    }
+    const int width = known->second;
     std::int64_t last = 0;
     for (std::uint64_t i = 0; i < offsets; ++i) {
       const std::int64_t offset = nextInteger(width);

@@ -11,7 +11,6 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkSTLReader.h>
 #include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
@@ -21,12 +20,12 @@
 
 #include "Core/base/Error.h"
 #include "Formats/AtomicFile.h"
-#include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
 #include "Formats/SurfaceFile.h"
 #include "FieldArrays.h"
 #include "FileNames.h"
 #include "LegacyVtkGate.h"
+#include "StlReader.h"
 #include "VtpReader.h"
 
 namespace authalic {
@@ -64,19 +63,6 @@ void observe(vtkAlgorithm* algorithm, ErrorListener* listener) {
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
 }
 
-/// A binary STL file is 84 bytes and 50 for each triangle; an ASCII one begins with "solid" and has facets.
-void checkStlClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
-                              std::min<std::size_t>(bytes.size(), 4096));
-  if (text.find("facet") != std::string_view::npos && text.find("solid") != std::string_view::npos) {
-    return;
-  }
-  ByteCursor cursor(path, bytes, ByteOrder::Little);
-  cursor.seek(80);
-  const auto triangles = cursor.next<std::uint32_t>("the number of triangles");
-  cursor.need(triangles, 50, "the list of triangles");
-}
-
 /// The bytes of the file, after the gate of its kind.
 std::vector<std::uint8_t> checkedBytes(const std::string& path, const std::string& extension) {
   auto bytes = readBytes(path);
@@ -85,8 +71,6 @@ std::vector<std::uint8_t> checkedBytes(const std::string& path, const std::strin
   }
   if (extension == ".vtk") {
     checkLegacyVtk(path, bytes);
-  } else if (extension == ".stl") {
-    checkStlClaims(path, bytes);
   }
   return bytes;
 }
@@ -122,9 +106,7 @@ void readByExtension(const std::string& path, const std::string& extension, vtkP
     reader->ReadAllColorScalarsOn();
     run(reader.Get(), path, output);
   } else {
-    vtkNew<vtkSTLReader> reader;
-    reader->MergingOn();
-    run(reader.Get(), path, output);
+    readStl(path, bytes, output);
   }
 }
 

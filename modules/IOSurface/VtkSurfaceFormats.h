@@ -1,5 +1,6 @@
 /// @file
-/// VTK's own surface formats: STL and legacy VTK by VTK's readers, VTP by ours, all by VTK's writers. Private to IOSurface/.
+/// VTK's own surface formats: legacy VTK by VTK's reader behind a gate, STL and VTP by readers of ours, all by VTK's
+/// writers. Private to IOSurface/.
 #pragma once
 
 #include <string>

@@ -21,7 +21,9 @@
 #include "Core/base/Error.h"
 #include "Formats/Gzip.h"
 #include "Formats/InputFile.h"
+#include "VtkSurfaceFormats.h"
 #include "support/HostileCases.h"
+#include "support/VtkHostileCases.h"
 
 namespace {
 
@@ -40,15 +42,32 @@ struct Target {
   [[nodiscard]] std::string path() const { return (folder / hostile->name).string(); }
 };
 
+void readConsistentVtk(const std::string& path) {
+  vtkNew<vtkPolyData> surface;
+  authalic::readVtkSurface(path, surface);
+  authalic::testing::require(surface->GetNumberOfPoints() > 0, "no points");
+}
+
+const std::vector<HostileCase>& everyCase() {
+  static const std::vector<HostileCase> all = [] {
+    std::vector<HostileCase> joined = authalic::testing::allHostileCases();
+    for (const auto& hostile : authalic::testing::vtkHostileCases()) {
+      joined.push_back({hostile.name, hostile.write, readConsistentVtk});
+    }
+    return joined;
+  }();
+  return all;
+}
+
 const HostileCase* chosenReader() {
   const char* name = std::getenv("AUTHALIC_FUZZ_READER");
-  for (const HostileCase& hostile : authalic::testing::allHostileCases()) {
+  for (const HostileCase& hostile : everyCase()) {
     if (name && std::string(name) == hostile.name) {
       return &hostile;
     }
   }
   std::fprintf(stderr, "AUTHALIC_FUZZ_READER must name a reader:");
-  for (const HostileCase& hostile : authalic::testing::allHostileCases()) {
+  for (const HostileCase& hostile : everyCase()) {
     std::fprintf(stderr, " %s", hostile.name);
   }
   std::fprintf(stderr, "\n");

@@ -1,13 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <tuple>
 
-#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkSurfaceFileReader.h>
+#include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include "VtkSurfaceFormats.h"
@@ -132,4 +130,28 @@ TEST(VtpReader, JoinsThePiecesOfAFile) {
   authalic::readVtkSurface(folder / "t.vtp", twice);
   EXPECT_EQ(twice->GetNumberOfPoints(), 2 * once->GetNumberOfPoints());
   EXPECT_EQ(twice->GetNumberOfPolys(), 2 * once->GetNumberOfPolys());
+}
+
+TEST(StlReader, AgreesWithVtksOnTextAndBinary) {
+  const TemporaryFolder folder;
+  for (const bool ascii : {false, true}) {
+    authalic::testing::writeStl(folder / "s.stl", ascii);
+    vtkNew<vtkSTLReader> reader;
+    reader->SetFileName((folder / "s.stl").c_str());
+    reader->Update();
+    vtkPolyData* theirs = reader->GetOutput();
+    vtkNew<vtkPolyData> ours;
+    authalic::readVtkSurface(folder / "s.stl", ours);
+    ASSERT_EQ(ours->GetNumberOfPoints(), theirs->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < ours->GetNumberOfPoints(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(ours->GetPoint(i)[k], theirs->GetPoint(i)[k]);
+      }
+    }
+    vtkDataArray* corners = ours->GetPolys()->GetConnectivityArray();
+    ASSERT_EQ(corners->GetNumberOfValues(), theirs->GetPolys()->GetConnectivityArray()->GetNumberOfValues());
+    for (vtkIdType i = 0; i < corners->GetNumberOfValues(); ++i) {
+      EXPECT_EQ(corners->GetComponent(i, 0), theirs->GetPolys()->GetConnectivityArray()->GetComponent(i, 0));
+    }
+  }
 }
