@@ -421,7 +421,7 @@ void requireEnd(const std::string& path, std::string_view text) {
   const std::size_t last = text.find_last_not_of(std::string_view(" \t\r\n\0", 5));
   const std::string_view whole = text.substr(0, last == std::string_view::npos ? 0 : last + 1);
   if (whole.size() < end.size() || whole.substr(whole.size() - end.size()) != end) {
-    throw FormatError(path, "A .vtp file ends with </VTKFile>, but this one does not; it is truncated or of another kind.");
+    throw FormatError(path, "A .vtp file ends with </VTKFile>, but this one does not; it is truncated.");
   }
 }
 

@@ -64,8 +64,8 @@ void expectAgreement(const std::string& path) {
 
 /// Every type of number, also of several components with names, and texts of points.
 void addMore(vtkPolyData* surface) {
-  for (const int type : {VTK_TYPE_INT8, VTK_TYPE_UINT8, VTK_TYPE_INT16, VTK_TYPE_UINT16, VTK_TYPE_INT32, VTK_TYPE_UINT32,
-                         VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_TYPE_FLOAT64, VTK_ID_TYPE}) {
+  for (const int type : {VTK_TYPE_INT8, VTK_TYPE_UINT8, VTK_TYPE_INT16, VTK_TYPE_UINT16, VTK_TYPE_INT32,
+                         VTK_TYPE_UINT32, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_TYPE_FLOAT64, VTK_ID_TYPE}) {
     const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
     array->SetName(("type" + std::to_string(type)).c_str());
     array->SetNumberOfComponents(2);
