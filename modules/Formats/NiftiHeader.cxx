@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
 namespace authalic {
@@ -312,6 +314,15 @@ void orient(const std::string& path, const RawHeader& raw, const nifti_image& im
                        std::to_string(header.transformCode) + " (" + transformCodeName(header.transformCode) + ")";
 }
 
+/// Whether the whole numbers of a NIfTI-2 header are within those of NIfTI-1; the library prints what is not.
+bool fitsNifti1(const nifti_image& image) {
+  const std::int64_t others[] = {image.intent_code, image.qform_code, image.sform_code, image.slice_start,
+                                 image.slice_end};
+  const auto fits = [](std::int64_t number) { return number >= INT16_MIN && number <= INT16_MAX; };
+  return std::all_of(std::begin(image.dim), std::end(image.dim), fits) &&
+         std::all_of(std::begin(others), std::end(others), fits);
+}
+
 /// What the header says beyond place, type and time.
 void note(const nifti_image& image, NiftiHeader& header) {
   const auto named = [](bool there, const char* name) { return std::string(there ? name : ""); };
@@ -325,7 +336,7 @@ void note(const nifti_image& image, NiftiHeader& header) {
   const bool timed = image.time_units == NIFTI_UNITS_SEC || unit < 1;
   header.timeStep = timed && std::isfinite(image.dt) && image.dt > 0 ? image.dt * unit : 0;
   nifti_1_header plain{};
-  if (nifti_convert_nim2n1hdr(&image, &plain) == 0) {
+  if (fitsNifti1(image) && nifti_convert_nim2n1hdr(&image, &plain) == 0) {
     header.asNifti1.resize(sizeof(plain));
     std::memcpy(header.asNifti1.data(), &plain, sizeof(plain));
   }
