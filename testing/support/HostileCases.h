@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -195,6 +196,27 @@ inline void writePlainGifti(const std::string& path, bool base64) {
                       << array("POINTSET", "FLOAT32", points) << array("TRIANGLE", "INT32", faces) << "</GIFTI>";
 }
 
+/// A NIfTI-2 volume of eight voxels with a qform and an extension.
+inline void writeNifti2(const std::string& path) {
+  std::vector<std::uint8_t> bytes(576, 0);
+  const auto put = [&bytes](std::size_t at, auto number) { std::memcpy(bytes.data() + at, &number, sizeof(number)); };
+  put(0, std::int32_t{540});
+  std::memcpy(bytes.data() + 4, "n+2\0\r\n\x1A\n", 8);
+  put(12, std::int16_t{4});
+  put(14, std::int16_t{16});
+  for (std::size_t axis = 0; axis < 8; ++axis) {
+    put(16 + 8 * axis, std::int64_t{axis == 0 ? 3 : axis < 4 ? 2 : 1});
+    put(104 + 8 * axis, 1.0);
+  }
+  put(168, std::int64_t{576});
+  put(344, std::int32_t{1});
+  put(540, std::int32_t{1});
+  put(544, std::int32_t{32});
+  put(548, std::int32_t{6});
+  bytes.resize(576 + 16, 1);
+  writeBytesOf(path, bytes);
+}
+
 inline std::vector<HostileCase> olderCases() {
   const auto scalars = [](const std::string& path) { require(!readVertexScalars(path).empty(), "no values"); };
   return {
@@ -225,6 +247,7 @@ inline std::vector<HostileCase> olderCases() {
          std::filesystem::rename(path + ".nii", path);
        },
        readConsistentVolume},
+      {"v.nifti2.nii", writeNifti2, readConsistentVolume},
       {"v.mgz", [](const auto& path) { writeVolume(path, LabelVolume({3, 4, 5}, Eigen::Matrix4d::Identity(), 7)); },
        readConsistentVolume},
   };
