@@ -16,8 +16,8 @@ struct PatchFile {
   std::vector<double> points;  ///< 3n
 };
 
-/// Reads `?h.*.patch.3d` and `?h.*.patch.flat`, the present layout (32-bit floats) and the one before 2003
-/// (hundredths in 16 bits). A negative number in the file marks a vertex of the border.
+/// Reads FreeSurfer patches (`lh.NAME.patch.3d`, `lh.NAME.patch.flat`), the present layout (32-bit floats) and the
+/// one before 2003 (hundredths in 16 bits). A negative number in the file marks a vertex of the border.
 /// @throws FormatError when the file is missing, of another kind, truncated or names a vertex twice
 [[nodiscard]] PatchFile readPatch(const std::string& path);
 

@@ -29,6 +29,11 @@ const Points2& AreaFunctional::shifts() const {
   return none;
 }
 
+const std::vector<EarOnCircle>& AreaFunctional::slidingEars() const {
+  static const std::vector<EarOnCircle> none;
+  return none;
+}
+
 AreaFunctional::Corners AreaFunctional::corners(const Coordinates& image, int face) const {
   Corners result(3, image.cols());
   for (int k = 0; k < 3; ++k) result.row(k) = image.row(faces_(face, k));

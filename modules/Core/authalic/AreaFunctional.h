@@ -1,9 +1,11 @@
 /// @file
-/// The areas of the faces of an image as functions of what its vertices may do. One class per kind of domain.
+/// The areas of the faces of an image as functions of what its vertices may do, one class per kind of domain.
+/// Private to authalic/.
 #pragma once
 
 #include <vector>
 
+#include "Core/authalic/EarsOnCircle.h"
 #include "Core/base/Arrays.h"
 
 namespace authalic {
@@ -53,6 +55,10 @@ class AreaFunctional {
   /// image + t · displacement, back on the domain.
   [[nodiscard]] virtual Coordinates moved(const Coordinates& image, const Coordinates& displacement,
                                           double t) const = 0;
+  /// The image with vertices where their areas are right that derivatives do not lead there; by default the image.
+  [[nodiscard]] virtual Coordinates eased(Coordinates image) const { return image; }
+  /// Ears whose tips have a freedom of their own, as the ends of their bases have; by default none.
+  [[nodiscard]] virtual const std::vector<EarOnCircle>& slidingEars() const;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
   /// 0 for a folded face. Exact for straight motion; see moved().
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;

@@ -16,14 +16,14 @@ constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowStep
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 
-// Where face steps end, in tolerances; vertex steps disturb the faces.
-struct Nearness {
-  double residual, meanLog;          // the second of |ln r| over the faces: it sees small ones
-  double slowResidual, slowMeanLog;  // the same where face steps get slow
-  double meanLogAfterVertices;       // wanted in the end
-};
+// Face steps end at this part of the goal, or at the second where they get slow.
+constexpr double kNear = 0.9, kNearEnough = 0.95;
 
-constexpr Nearness kNear{0.4, 0.32, 0.8, 0.36, 0.5}, kNearEnough{0.7, 0.7, 0.9, 0.75, 0.8};
+// Wanted of the mean of |ln r| over the faces, which sees small ones, but between half of the tolerance and all of it.
+constexpr double kMeanLog = 5e-3, kMeanLogWithShapesFirst = 8e-3;
+
+constexpr int kMostStepsOnStars = 3;      // of one round
+constexpr double kVerticesDisturb = 2;    // faces that are within the tolerance: stars farther than this many of it
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -31,9 +31,11 @@ class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
              const AuthalicMapOptions& options, const Execution& execution, Shapes shapes)
-      : options_(options), execution_(execution), near_(shapes == Shapes::First ? kNearEnough : kNear),
+      : options_(options), execution_(execution),
+        meanLogWanted_(std::clamp(shapes == Shapes::First ? kMeanLogWithShapesFirst : kMeanLog,
+                                  0.5 * options.tolerance, options.tolerance)),
         faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes),
-        vertices_(areas, target.vertices(), options.solver) {}
+        stars_(areas, target.vertices(), options.solver), vertices_(areas, target.vertices(), options.solver) {}
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
@@ -41,9 +43,10 @@ class AreaSolver {
     bool reached = false;
     for (int round = 0; round < kRounds && !ended(); ++round) {
       const bool moved = faceSteps(goal, image);
+      stepsOnStars(image);
       Coordinates exact = image;
       reached = vertexSteps(exact);
-      goal *= reached ? nearness(exact) : 0.5;
+      goal *= reached ? std::clamp(kNear / farness(exact, faces_.residual(exact)), 0.4, kNear) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (!moved && !reached) result_.status = Status::Stalled;
     }
@@ -79,13 +82,13 @@ class AreaSolver {
       const auto slower = [&](std::size_t steps, double factor) {
         return count > steps && residuals.back() > factor * residuals[count - 1 - steps];
       };
-      const double meanLog = faces_.meanAbsLog(image);
-      if (residuals.back() <= near_.residual * goal && meanLog <= near_.meanLog * goal) break;
+      const double far = farness(image, residuals.back()) * options_.tolerance / goal;
+      if (far <= kNear) break;
       if (slower(kSlowSteps / 2, kGettingSlow)) {
-        if (residuals.back() <= near_.slowResidual * goal && meanLog <= near_.slowMeanLog * goal) break;
+        if (far <= kNearEnough) break;
         faces_.relax();
       }
-      if (slower(kSlowSteps, residuals.back() <= near_.slowResidual * goal ? kGettingSlow : kSlow)) break;
+      if (slower(kSlowSteps, residuals.back() <= kNearEnough * goal ? kGettingSlow : kSlow)) break;
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");
@@ -94,11 +97,21 @@ class AreaSolver {
     return moved;
   }
 
-  // The part of the goal at which the next vertex steps would end within the tolerances.
-  [[nodiscard]] double nearness(const Coordinates& exact) const {
-    const double tolerance = options_.tolerance, faces = tolerance / faces_.residual(exact),
-                 means = near_.meanLogAfterVertices * tolerance / faces_.meanAbsLog(exact);
-    return std::clamp(0.8 * std::min(faces, means), 0.4, faces < 1 ? 0.5 : 0.8);
+  // How far the faces are from what is wanted of them: 1 is just enough.
+  [[nodiscard]] double farness(const Coordinates& image, double residual) const {
+    return std::max(residual / options_.tolerance, faces_.meanAbsLog(image) / meanLogWanted_);
+  }
+
+  // Face steps that keep to the stars, until vertex steps have so little left to do that faces do not notice.
+  void stepsOnStars(Coordinates& image) {
+    const double begun = now();
+    for (int k = 0; k < kMostStepsOnStars && !ended(); ++k) {
+      if (stars_.residual(image) <= kVerticesDisturb * options_.tolerance) break;
+      const double residual = faces_.residual(image), step = faces_.advanceOnStars(stars_, image);
+      if (step == 0) break;
+      tell({residual, step, false}, "Matching faces and vertices");
+    }
+    result_.faceSeconds += now() - begun;
   }
 
   // Returns whether the tolerance was reached.
@@ -123,15 +136,15 @@ class AreaSolver {
     result_.image = exact;
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
-    const double wanted = near_.meanLogAfterVertices * options_.tolerance;
-    if (converged_ || faces_.meanAbsLog(exact) <= wanted) result_.status = Status::Converged;
+    if (converged_ || faces_.meanAbsLog(exact) <= meanLogWanted_) result_.status = Status::Converged;
     converged_ = true;
   }
 
   const AuthalicMapOptions& options_;
   const Execution& execution_;
-  const Nearness& near_;
+  double meanLogWanted_;
   FaceMatch faces_;
+  StarConstraint stars_;
   VertexMatch vertices_;
   AreaSolveResult result_;
   bool converged_ = false;  // `result_.image` is within both tolerances; small faces have one more round

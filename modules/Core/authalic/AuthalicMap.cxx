@@ -147,7 +147,7 @@ AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
   Points2 image = given ? initial : Points2(Points2::Zero(disk.mesh().vertexCount(), 2));
   const Start start = makeStart(disk, placement, image, target, options, given, execution.part(0, 0.2));
   const SlidingBoundary sliding(placement, options.domain, image);
-  const PlanarAreas areas(disk.mesh().faces(), sliding, disk.mesh().vertexCount());
+  const PlanarAreas areas(disk.mesh().faces(), sliding, target.vertices());
   AuthalicMapResult result;
   result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solve(areas, disk, target, start, image, options, execution.part(0.2, 1));

@@ -13,6 +13,7 @@ constexpr double kSlowed = 0.5;           // to this part of what would collapse
 constexpr double kMarginToFlip = 0.9;
 constexpr double kShorter = 0.7;          // than the step before, where that did not lower the objective
 constexpr int kAttempts = 24;             // at a step
+constexpr double kNearerStars = 0.5;      // by this factor at least, in one step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
 constexpr double kEndPull = 1e-3;         // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
@@ -114,9 +115,8 @@ void FaceMatch::linearise(const Coordinates& image) {
   shape_.addDescent(image, frames_, pull_, right_);
 }
 
-void FaceMatch::fillElement(Eigen::Index face) {
+void FaceMatch::fillElement(Eigen::Index face, double damping) {
   const AreaFunctional::Directions directions = areas_.directions(frames_, static_cast<int>(face));
-  const double damping = damping_ * stiffness_[face];
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++value) {
@@ -128,10 +128,9 @@ void FaceMatch::fillElement(Eigen::Index face) {
   }
 }
 
-Coordinates FaceMatch::step() {
-  for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f);
+void FaceMatch::factorise(double damping) {
+  for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f, damping * stiffness_[f]);
   solver_.factorize(assembly_.assemble(values_));
-  return areas_.displacement(frames_, solver_.solve(right_));
 }
 
 // A few thin triangles must not stop the whole map: their corners move by a part of what would collapse them.
@@ -167,12 +166,13 @@ void FaceMatch::adapt(double step) {
 double FaceMatch::advance(Coordinates& image) {
   linearise(image);
   const double before = objective(image);
-  const Coordinates wanted = step();
+  factorise(damping_);
+  const Coordinates wanted = areas_.displacement(frames_, solver_.solve(right_));
   stiffen(image, wanted);
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
   double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
   for (int shorter = 0; shorter < kAttempts; ++shorter, part *= kShorter) {
-    Coordinates next = areas_.moved(image, slowed, part);
+    Coordinates next = areas_.eased(areas_.moved(image, slowed, part));
     if (!(objective(next) < before)) continue;
     image = std::move(next);
     adapt(part);
@@ -181,6 +181,23 @@ double FaceMatch::advance(Coordinates& image) {
   }
   adapt(0);
   return 0;
+}
+
+double FaceMatch::advanceOnStars(StarConstraint& stars, Coordinates& image) {
+  linearise(image);
+  stars.linearise(areas_.areas(image), gradients_, weights_);
+  const double before = stars.residual(image);
+  for (;; dampingOnStars_ *= 10) {
+    factorise(dampingOnStars_);
+    const Coordinates wanted = areas_.displacement(frames_, stars.solve(solver_, right_));
+    const double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, wanted));
+    Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
+    if (stars.residual(next) < kNearerStars * before) {
+      image = std::move(next);
+      return part;
+    }
+    if (dampingOnStars_ >= kMostDampingOnStars) return 0;
+  }
 }
 
 }  // namespace authalic

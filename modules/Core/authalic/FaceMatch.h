@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "Core/authalic/ShapeEnergy.h"
+#include "Core/authalic/StarConstraint.h"
 #include "Core/numerics/ElementAssembly.h"
 
 namespace authalic {
@@ -41,6 +42,11 @@ class FaceMatch {
   /// @return the part of δ taken, in (0, 1]; 0 when none lowered Φ
   double advance(Coordinates& image);
 
+  /// The same step among those that bring the stars to their targets, J δ = e, without a search for a part that lowers
+  /// Φ: ε is raised until the stars come at least twice as near. Faces hardly notice what vertex steps do afterwards.
+  /// @return the part of δ taken; 0 when no ε served, and the image is as it was
+  double advanceOnStars(StarConstraint& stars, Coordinates& image);
+
   /// (Σ m_t (r_t + 1/r_t − 2))^½ = (D_area − 2)^½ of an image; +infinity when a face is folded.
   [[nodiscard]] double residual(const Coordinates& image) const;
 
@@ -55,12 +61,13 @@ class FaceMatch {
   void relax() noexcept;
 
  private:
-  static constexpr double kFirstDamping = 0.02, kUsualDamping = 1e-4, kLeastDamping = 1e-8;
+  static constexpr double kFirstDamping = 0.02, kUsualDamping = 1e-4, kLeastDamping = 1e-8,
+                          kFirstDampingOnStars = 1e-2, kMostDampingOnStars = 10;
   [[nodiscard]] Eigen::ArrayXd faceErrors(const Eigen::VectorXd& areas) const;
   [[nodiscard]] double objective(const Coordinates& image) const;
   void linearise(const Coordinates& image);
-  [[nodiscard]] Coordinates step();
-  void fillElement(Eigen::Index face);
+  void factorise(double damping);
+  void fillElement(Eigen::Index face, double damping);
   [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const;
   void stiffen(const Coordinates& image, const Coordinates& displacement);
   void adapt(double step);
@@ -75,7 +82,7 @@ class FaceMatch {
   AreaFunctional::Frames frames_;
   AreaFunctional::Gradients gradients_;
   Eigen::VectorXd weights_, right_, stiffness_;
-  double damping_ = kFirstDamping, leastDamping_ = kUsualDamping;
+  double damping_ = kFirstDamping, leastDamping_ = kUsualDamping, dampingOnStars_ = kFirstDampingOnStars;
   double pull_, leastPull_ = 0, endPull_ = 0;  // τ
   double pullFalls_;                           // factor per step
   double usualPull_;                           // leastPull_ by the square of the goal

@@ -6,35 +6,42 @@
 #include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
+namespace {
 
-std::vector<PlanarAreas::Ear> PlanarAreas::ears(const Faces& faces, const SlidingBoundary& sliding, int vertexCount) {
-  std::vector<Ear> result;
-  if (!sliding.onCircle()) return result;
-  std::vector<int> valence(static_cast<std::size_t>(vertexCount), 0);
-  for (Eigen::Index c = 0; c < faces.size(); ++c) ++valence[static_cast<std::size_t>(faces.data()[c])];
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const Ear ear{faces(f, k), faces(f, (k + 2) % 3), faces(f, (k + 1) % 3)};
-      const bool slides =
-          sliding.freedom(ear.tip) == 1 && sliding.freedom(ear.from) == 1 && sliding.freedom(ear.to) == 1;
-      if (slides && valence[static_cast<std::size_t>(ear.tip)] == 1) result.push_back(ear);
-    }
-  }
-  return result;
-}
-
-std::vector<char> PlanarAreas::freedoms(const std::vector<Ear>& ears, const SlidingBoundary& sliding, int vertexCount) {
+std::vector<char> freedoms(const SlidingBoundary& sliding, int vertexCount) {
   std::vector<char> freedom(static_cast<std::size_t>(vertexCount));
   for (int v = 0; v < vertexCount; ++v) freedom[static_cast<std::size_t>(v)] = static_cast<char>(sliding.freedom(v));
-  for (const Ear& ear : ears) freedom[static_cast<std::size_t>(ear.tip)] = 0;
   return freedom;
 }
 
-PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount)
-    : PlanarAreas(faces, sliding, vertexCount, ears(faces, sliding, vertexCount)) {}
+std::vector<char> freedomsWithoutTips(const EarsOnCircle& ears, const SlidingBoundary& sliding, int vertexCount) {
+  std::vector<char> freedom = freedoms(sliding, vertexCount);
+  for (const EarOnCircle& ear : ears.all()) freedom[static_cast<std::size_t>(ear.tip)] = 0;
+  return freedom;
+}
 
-PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount, std::vector<Ear> ears)
-    : AreaFunctional(faces, freedoms(ears, sliding, vertexCount)), sliding_(sliding), ears_(std::move(ears)) {}
+EarsOnCircle earsOf(const Faces& faces, const SlidingBoundary& sliding, int vertexCount) {
+  std::vector<char> onCircle(static_cast<std::size_t>(vertexCount), 0);
+  for (int v = 0; v < vertexCount; ++v) {
+    onCircle[static_cast<std::size_t>(v)] = sliding.onCircle() && sliding.freedom(v) == 1;
+  }
+  return {faces, onCircle};
+}
+
+}  // namespace
+
+PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, EarsOnCircle ears,
+                         std::vector<char> freedoms, const Eigen::VectorXd* vertexShares)
+    : AreaFunctional(faces, std::move(freedoms)), sliding_(sliding), ears_(std::move(ears)),
+      vertexShares_(vertexShares) {}
+
+PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount)
+    : PlanarAreas(faces, sliding, earsOf(faces, sliding, vertexCount),
+                  freedomsWithoutTips(earsOf(faces, sliding, vertexCount), sliding, vertexCount), nullptr) {}
+
+PlanarAreas::PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, const Eigen::VectorXd& vertexShares)
+    : PlanarAreas(faces, sliding, earsOf(faces, sliding, static_cast<int>(vertexShares.size())),
+                  freedoms(sliding, static_cast<int>(vertexShares.size())), &vertexShares) {}
 
 Eigen::VectorXd PlanarAreas::areas(const Coordinates& image) const { return signedFaceAreas(Points2(image), faces()); }
 
@@ -69,17 +76,28 @@ AreaFunctional::Gradients PlanarAreas::gradients(const Coordinates& image, const
 Coordinates PlanarAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
   Points2 result = image + t * displacement;
   sliding_.retract(result);
-  for (const Ear& ear : ears_) {
-    const Eigen::RowVector2d middle = result.row(ear.from) + result.row(ear.to);
-    if (middle.norm() > 0) result.row(ear.tip) = middle.normalized() * (middle.dot(image.row(ear.tip)) < 0 ? -1 : 1);
-  }
+  if (vertexShares_ == nullptr) ears_.centreTips(result);
   return result;
 }
 
 Coordinates PlanarAreas::displacement(const Frames& frames, const Eigen::VectorXd& step) const {
   Coordinates result = AreaFunctional::displacement(frames, step);
-  for (const Ear& ear : ears_) result.row(ear.tip) = 0.5 * (result.row(ear.from) + result.row(ear.to));
+  if (vertexShares_ != nullptr) return result;
+  for (const EarOnCircle& ear : ears_.all()) {
+    result.row(ear.tip) = 0.5 * (result.row(ear.from) + result.row(ear.to));
+  }
   return result;
+}
+
+Coordinates PlanarAreas::eased(Coordinates image) const {
+  if (vertexShares_ == nullptr || ears_.all().empty()) return image;
+  Points2 points = image;
+  ears_.easeTips(points, faces(), *vertexShares_);
+  return points;
+}
+
+const std::vector<EarOnCircle>& PlanarAreas::slidingEars() const {
+  return vertexShares_ == nullptr ? AreaFunctional::slidingEars() : ears_.all();
 }
 
 double planarFirstFlip(const Faces& faces, const Coordinates& image, const Coordinates& displacement, int face) {

@@ -2,40 +2,38 @@
 /// Areas of a planar image whose boundary slides along that of its domain. Private to authalic/.
 #pragma once
 
-#include <vector>
-
 #include "Core/authalic/AreaFunctional.h"
+#include "Core/authalic/EarsOnCircle.h"
 #include "Core/authalic/SlidingBoundary.h"
 
 namespace authalic {
 
-/// Inner vertices move anywhere; those of the boundary as SlidingBoundary says.
-///
-/// The tip of an ear, a face inscribed in the circle, has no freedom of its own: it stays in the middle of its arc,
-/// where the face is largest for its base. There the area does not depend on the tip to first order, and a tip that
-/// may run does so at once, to no avail; the ends of the base have to give way.
+/// Inner vertices move anywhere; those of the boundary as SlidingBoundary says, but for the tips of ears on the circle.
 class PlanarAreas final : public AreaFunctional {
  public:
+  /// Tips have no freedom of their own: they stay in the middle of their arcs.
   PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount);
+
+  /// Tips slide like all others, and eased() puts them where their ears have their shares.
+  /// @param vertexShares  n targets; kept by reference
+  PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, const Eigen::VectorXd& vertexShares);
 
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
   [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
   [[nodiscard]] Coordinates displacement(const Frames& frames, const Eigen::VectorXd& step) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
+  [[nodiscard]] Coordinates eased(Coordinates image) const override;
+  [[nodiscard]] const std::vector<EarOnCircle>& slidingEars() const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
  private:
-  struct Ear {
-    int tip, from, to;
-  };
-  [[nodiscard]] static std::vector<Ear> ears(const Faces& faces, const SlidingBoundary& sliding, int vertexCount);
-  [[nodiscard]] static std::vector<char> freedoms(const std::vector<Ear>& ears, const SlidingBoundary& sliding,
-                                                  int vertexCount);
-  PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, int vertexCount, std::vector<Ear> ears);
+  PlanarAreas(const Faces& faces, const SlidingBoundary& sliding, EarsOnCircle ears, std::vector<char> freedoms,
+              const Eigen::VectorXd* vertexShares);
 
   const SlidingBoundary& sliding_;
-  std::vector<Ear> ears_;
+  EarsOnCircle ears_;
+  const Eigen::VectorXd* vertexShares_;  // none: tips stay in the middle
 };
 
 /// AreaFunctional::gradients() and firstFlip() of any planar image.

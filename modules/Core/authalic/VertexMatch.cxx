@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "Core/authalic/StarConstraint.h"
 #include "Core/geometry/Areas.h"
 
 namespace authalic {
@@ -87,15 +88,19 @@ Eigen::VectorXd VertexMatch::error(const Coordinates& image) const {
   return vertexStars(a, areas_.faces(), areas_.vertexCount()) - a.sum() * targets_;
 }
 
-double VertexMatch::residual(const Coordinates& image) const {
-  const Eigen::VectorXd a = areas_.areas(image);
-  if (!(a.minCoeff() > 0)) return std::numeric_limits<double>::infinity();
-  const Eigen::VectorXd stars = vertexStars(a / a.sum(), areas_.faces(), areas_.vertexCount());
-  double worst = 0;
-  for (Eigen::Index v = 0; v < stars.size(); ++v) {
-    if (targets_[v] > 0) worst = std::max(worst, std::abs(std::log(stars[v] / targets_[v])));
+double VertexMatch::residual(const Coordinates& image) const { return starResidual(areas_, targets_, image); }
+
+// A tip that does not run by itself stays in the middle between the ends of its base.
+void VertexMatch::letTipsRide() {
+  for (const EarOnCircle& ear : areas_.slidingEars()) {
+    for (int i = starts_[at(ear.tip)]; i < starts_[at(ear.tip) + 1]; ++i) {
+      for (const int end : {ear.from, ear.to}) {
+        const auto begin = stars_.begin() + starts_[at(end)], last = stars_.begin() + starts_[at(end) + 1];
+        const auto place = std::lower_bound(begin, last, stars_[at(i)]) - stars_.begin();
+        jacobian_[2 * static_cast<std::size_t>(place)] += 0.5 * jacobian_[2 * at(i)];
+      }
+    }
   }
-  return worst;
 }
 
 void VertexMatch::fillJacobian(const Coordinates& image) {
@@ -111,6 +116,7 @@ void VertexMatch::fillJacobian(const Coordinates& image) {
       }
     }
   }
+  letTipsRide();
 }
 
 // The shortest displacement, in the metric of the weights, that solves the linearised equations.
@@ -141,6 +147,9 @@ Coordinates VertexMatch::step(const Eigen::VectorXd& error) {
         sum += jacobian_[2 * at(i) + at(j)] * multipliers[stars_[at(i)]];
       step[areas_.unknown(w, j)] = -mobility_[w] * sum;
     }
+  }
+  for (const EarOnCircle& ear : areas_.slidingEars()) {
+    step[areas_.unknown(ear.tip, 0)] += 0.5 * (step[areas_.unknown(ear.from, 0)] + step[areas_.unknown(ear.to, 0)]);
   }
   return areas_.displacement(frames_, step);
 }

@@ -16,7 +16,8 @@ namespace authalic {
 ///
 /// the step of Lie advection @cite zou2011 with the discrete divergence that belongs to the areas, hence quadratic.
 /// The equations depend on each other (they sum to 0; on three-colourable meshes there are two more dependencies):
-/// the matrix is regularised by 1e-12 of its diagonal.
+/// the matrix is regularised by 1e-12 of its diagonal. The tip of an ear on the circle has its place between the ends
+/// of its base for unknown, not its place on the circle: the shortest displacement takes it along.
 class VertexMatch {
  public:
   /// @param targets  n shares, sum 1; vertices with target 0 (no face) are left out
@@ -34,6 +35,7 @@ class VertexMatch {
 
  private:
   void findStars();
+  void letTipsRide();
   void fillJacobian(const Coordinates& image);
   [[nodiscard]] Eigen::VectorXd error(const Coordinates& image) const;
   [[nodiscard]] Coordinates step(const Eigen::VectorXd& error);
