@@ -17,15 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where the links lead, whether a file is there or not.
 std::string targetOf(const std::string& path) {
   std::error_code error;
-  if (fs::is_symlink(fs::symlink_status(path, error))) {
-    const fs::path resolved = fs::weakly_canonical(path, error);
-    if (!error) {
-      return resolved.string();
+  fs::path target(path);
+  constexpr int most = 40;  // as the system follows
+  for (int links = 0; links < most; ++links) {
+    if (!fs::is_symlink(fs::symlink_status(target, error))) {
+      return target.string();
     }
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) {
+      break;
+    }
+    target = next.is_absolute() ? next : target.parent_path() / next;
   }
-  return path;
+  throw FormatError(path, "A file is to be written, but that name is a link that leads nowhere; choose another name.");
 }
 
 void checkTarget(const std::string& path, const std::string& target) {

@@ -1,4 +1,5 @@
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -98,13 +99,26 @@ MghHeader parseHeader(const std::string& path, const std::vector<std::uint8_t>& 
   return header;
 }
 
-}  // namespace
 
-VolumeFile readMgh(const std::string& path, int frame) {
-  InputFile input(path);
-  const auto bytes = input.read(kHeaderSize, "the MGH header");
-  const MghHeader header = parseHeader(path, bytes);
-  checkFrame(path, frame, header.frames);
+constexpr std::size_t kScanParameters = 20;  // TR (ms), flip angle, TE, TI, field of view
+constexpr std::uint64_t kMostNotes = 1ULL << 26;
+
+/// Repetition time in s, 0 where it is not stated.
+double timeStepOf(const std::vector<std::uint8_t>& notes) {
+  const double step = notes.size() < 4 ? 0 : 1e-3 * static_cast<double>(decode<float>(notes.data(), ByteOrder::Big));
+  return std::isfinite(step) && step > 0 ? step : 0;
+}
+
+/// What follows the voxels, beyond the repetition time.
+std::string namesOf(const std::vector<std::uint8_t>& notes) {
+  bool scan = false;
+  for (std::size_t at = 4; at < std::min(notes.size(), kScanParameters); ++at) {
+    scan = scan || notes[at] != 0;
+  }
+  return listed({scan ? "scan parameters" : "", notes.size() > kScanParameters ? "tags" : ""});
+}
+
+std::uint64_t bytesOfFrame(const std::string& path, const MghHeader& header) {
   const auto size = static_cast<std::uint64_t>(voxelSize(header.coding.type));
   const auto plane =
       static_cast<std::uint64_t>(header.dimensions[0]) * static_cast<std::uint64_t>(header.dimensions[1]);
@@ -113,25 +127,42 @@ VolumeFile readMgh(const std::string& path, int frame) {
   if (plane > (1ULL << 40) / depth / static_cast<std::uint64_t>(header.frames)) {
     throw FormatError(path, "The header claims more voxels than any volume has.", 4);
   }
-  const std::uint64_t frameBytes = plane * depth * size;
-  const auto before = static_cast<std::uint64_t>(frame) * frameBytes;
-  const auto after = static_cast<std::uint64_t>(header.frames - 1 - frame) * frameBytes;
-  input.skip(before, "the frames before the one asked for");
-  const auto voxels = input.read(frameBytes, "the voxels");
-  input.skip(after, "the frames after the one asked for");
-  const std::uint64_t end = kHeaderSize + before + frameBytes + after;
-  constexpr std::uint64_t scanParameters = 20;  // TR, flip angle, TE, TI, field of view
-  const bool tagged = input.drain() > end + scanParameters;
+  return plane * depth * size;
+}
 
-  VolumeFile file;
-  file.storedType = codingName(header.coding);
-  file.notRead = tagged ? "tags" : "";
-  file.transformCode = header.goodRas ? 1 : 0;
-  file.volume = decodeVoxels(voxels, header.coding, header.dimensions, header.voxelToWorld);
+}  // namespace
+
+StoredVolume readMgh(const std::string& path, const VolumeRequest& request) {
+  InputFile input(path);
+  const auto bytes = input.read(kHeaderSize, "the MGH header");
+  const MghHeader header = parseHeader(path, bytes);
+  const int frame = request.allFrames ? 0 : request.frame;
+  checkFrame(path, frame, header.frames);
+  const std::int64_t held = request.allFrames ? header.frames : 1;
+  const std::uint64_t frameBytes = bytesOfFrame(path, header);
+  input.skip(static_cast<std::uint64_t>(frame) * frameBytes, "the frames before the one asked for");
+  StoredVolume file;
+  file.bytes = input.read(static_cast<std::uint64_t>(held) * frameBytes, "the voxels");
+  input.skip(static_cast<std::uint64_t>(header.frames - held - frame) * frameBytes,
+             "the frames after the one asked for");
+  std::vector<std::uint8_t> notes = input.readRest(kMostNotes);
+
+  turnRound(file.bytes, header.coding.type);
+  file.type = header.coding.type;
+  file.dimensions = header.dimensions;
+  file.voxelToWorld = header.voxelToWorld;
+  file.framesHeld = static_cast<int>(held);
   file.frames = static_cast<int>(header.frames);
+  file.storedType = codingName(header.coding);
+  file.notRead = namesOf(notes);
+  file.timeStep = timeStepOf(notes);
+  file.transformCode = header.goodRas ? 1 : 0;
   file.space = header.goodRas ? CoordinateSpace::ScannerRAS : CoordinateSpace::Unknown;
   file.spaceReason = header.goodRas ? "MGH direction cosines and centre (goodRAS)"
                                     : "MGH without goodRAS: FreeSurfer's coronal default, true place unknown";
+  if (request.notes) {
+    file.mghNotes = std::move(notes);
+  }
   return file;
 }
 
@@ -154,31 +185,49 @@ std::array<float, 15> placeOf(const std::array<int, 3>& d, const Eigen::Matrix4d
   return place;
 }
 
-template <class T>
-void writeMghAs(const std::string& path, const VolumeOf<T>& volume, std::int32_t type) {
+std::int32_t codeOf(VoxelType type) {
+  switch (type) {
+    case VoxelType::Uint8:
+      return 0;
+    case VoxelType::Int32:
+      return 1;
+    case VoxelType::Int16:
+      return 4;
+    default:
+      return 3;
+  }
+}
+
+}  // namespace
+
+void writeMgh(const std::string& path, const StoredVolume& volume) {
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(kHeaderSize + volume.values.size() * sizeof(T));
+  bytes.reserve(kHeaderSize + volume.bytes.size() + volume.mghNotes.size() + kScanParameters);
   const auto put = [&bytes](auto value) { encode(bytes, value, ByteOrder::Big); };
   put(std::int32_t{1});
   for (const int extent : volume.dimensions) {
     put(static_cast<std::int32_t>(extent));
   }
-  put(std::int32_t{1});
-  put(type);
+  put(static_cast<std::int32_t>(volume.framesHeld));
+  put(codeOf(volume.type));
   put(std::int32_t{0});
   put(std::int16_t{1});
   for (const float number : placeOf(volume.dimensions, volume.voxelToWorld)) {
     put(number);
   }
   bytes.resize(kHeaderSize, 0);
-  for (const T value : volume.values) {
-    put(value);
+  std::vector<std::uint8_t> voxels = volume.bytes;
+  turnRound(voxels, volume.type);
+  bytes.insert(bytes.end(), voxels.begin(), voxels.end());
+  if (!volume.mghNotes.empty()) {
+    bytes.insert(bytes.end(), volume.mghNotes.begin(), volume.mghNotes.end());
+  } else if (volume.timeStep > 0) {
+    put(static_cast<float>(1e3 * volume.timeStep));
+    bytes.resize(bytes.size() + kScanParameters - 4, 0);
   }
   const bool packed = path.back() == 'z';
   writeFileAtomically(path, packed ? gzipped(path, bytes) : bytes);
 }
-
-}  // namespace
 
 Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine) {
   std::vector<std::uint8_t> bytes;
@@ -189,8 +238,5 @@ Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Mat
   ByteCursor cursor(path, bytes);
   return orientation(cursor, dimensions, true);
 }
-
-void writeMgh(const std::string& path, const ScalarVolume& volume) { writeMghAs(path, volume, 3); }
-void writeMgh(const std::string& path, const LabelVolume& volume) { writeMghAs(path, volume, 1); }
 
 }  // namespace authalic

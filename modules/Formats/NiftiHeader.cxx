@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
 namespace authalic {
@@ -247,32 +249,26 @@ bool hasVoxelSizes(const Fields& fields, int version) {
   return all;
 }
 
-void orient(const std::string& path, const RawHeader& raw, const nifti_image& image, NiftiHeader& header) {
-  const double unit = unitOfLength(raw.units);
-  const auto sform = raw.sformCode > 0 ? checkedAffine(image.sto_xyz, unit) : Affine();
-  const auto qform = raw.qformCode > 0 ? checkedAffine(image.qto_xyz, unit) : Affine();
-  if (raw.sformCode > 0 && !sform.valid) {
-    header.warnings.emplace_back("The sform is not finite or singular and was passed over.");
-  }
-  if (raw.qformCode > 0 && !qform.valid) {
-    header.warnings.emplace_back("The qform is not finite or singular and was passed over.");
-  }
-  if (sform.valid && qform.valid) {
-    const double distance = disagreement(sform.matrix, qform.matrix, header.dimensions);
-    if (distance > 1e-3) {
-      header.warnings.push_back("The sform and the qform disagree by up to " + std::to_string(distance) +
-                                " mm; the sform is used.");
-    }
-  }
-  if (sform.valid || qform.valid) {
-    header.voxelToWorld = sform.valid ? sform.matrix : qform.matrix;
-    header.space = CoordinateSpace::ScannerRAS;
-    const int code = sform.valid ? raw.sformCode : raw.qformCode;
-    header.spaceReason = std::string("NIfTI ") + (sform.valid ? "sform" : "qform") + ", code " +
-                         std::to_string(code) + " (" + transformCodeName(code) + ")";
-    header.transformCode = code;
+std::string inWords(const char* form, int code) {
+  return std::string(form) + " (code " + std::to_string(code) + ", " + transformCodeName(code) + ")";
+}
+
+/// What is said when both transforms are there and differ.
+void compare(const RawHeader& raw, const Affine& sform, const Affine& qform, bool takeSform, NiftiHeader& header) {
+  const double distance = disagreement(sform.matrix, qform.matrix, header.dimensions);
+  if (distance <= 1e-3) {
     return;
   }
+  header.disagreement = distance;
+  const char* taken = takeSform ? "sform" : "qform";
+  const char* other = takeSform ? "qform" : "sform";
+  header.warnings.push_back("The " + inWords("sform", raw.sformCode) + " and the " + inWords("qform", raw.qformCode) +
+                            " disagree by up to " + std::to_string(distance) + " mm; the " + taken + " is used, " +
+                            "--transform " + other + " takes the other.");
+}
+
+/// Voxel sizes alone.
+void orientBySizes(const std::string& path, const nifti_image& image, double unit, NiftiHeader& header) {
   nifti_dmat44 sizes{};
   const double spacing[3] = {image.dx, image.dy, image.dz};
   for (int i = 0; i < 3; ++i) {
@@ -285,6 +281,65 @@ void orient(const std::string& path, const RawHeader& raw, const nifti_image& im
   }
   header.voxelToWorld = fallback.matrix;
   header.spaceReason = "NIfTI without sform and qform: voxel sizes only, orientation and place unknown";
+}
+
+void orient(const std::string& path, const RawHeader& raw, const nifti_image& image, VolumeTransform asked,
+            NiftiHeader& header) {
+  const double unit = unitOfLength(raw.units);
+  const auto sform = raw.sformCode > 0 ? checkedAffine(image.sto_xyz, unit) : Affine();
+  const auto qform = raw.qformCode > 0 ? checkedAffine(image.qto_xyz, unit) : Affine();
+  if (raw.sformCode > 0 && !sform.valid) {
+    header.warnings.emplace_back("The sform is not finite or singular and was passed over.");
+  }
+  if (raw.qformCode > 0 && !qform.valid) {
+    header.warnings.emplace_back("The qform is not finite or singular and was passed over.");
+  }
+  const bool wantsQform = asked == VolumeTransform::Qform;
+  if ((asked == VolumeTransform::Sform && !sform.valid) || (wantsQform && !qform.valid)) {
+    const char* name = wantsQform ? "qform" : "sform";
+    throw FormatError(path, std::string("A usable ") + name + " is asked for, but its code is 0 or it is singular; " +
+                                "leave the choice out to take what is there.");
+  }
+  const bool takeSform = sform.valid && !wantsQform;
+  if (sform.valid && qform.valid) {
+    compare(raw, sform, qform, takeSform, header);
+  }
+  if (!sform.valid && !qform.valid) {
+    return orientBySizes(path, image, unit, header);
+  }
+  header.voxelToWorld = takeSform ? sform.matrix : qform.matrix;
+  header.space = CoordinateSpace::ScannerRAS;
+  header.transformCode = takeSform ? raw.sformCode : raw.qformCode;
+  header.spaceReason = std::string("NIfTI ") + (takeSform ? "sform" : "qform") + ", code " +
+                       std::to_string(header.transformCode) + " (" + transformCodeName(header.transformCode) + ")";
+}
+
+/// Whether the whole numbers of a NIfTI-2 header are within those of NIfTI-1; the library prints what is not.
+bool fitsNifti1(const nifti_image& image) {
+  const std::int64_t others[] = {image.intent_code, image.qform_code, image.sform_code, image.slice_start,
+                                 image.slice_end};
+  const auto fits = [](std::int64_t number) { return number >= INT16_MIN && number <= INT16_MAX; };
+  return std::all_of(std::begin(image.dim), std::end(image.dim), fits) &&
+         std::all_of(std::begin(others), std::end(others), fits);
+}
+
+/// What the header says beyond place, type and time.
+void note(const nifti_image& image, NiftiHeader& header) {
+  const auto named = [](bool there, const char* name) { return std::string(there ? name : ""); };
+  header.notes = listed({named(image.descrip[0] != 0, "description"), named(image.aux_file[0] != 0, "name of a file"),
+                         named(image.intent_code != 0 || image.intent_name[0] != 0, "intent"),
+                         named(image.cal_min != 0 || image.cal_max != 0, "display range"),
+                         named(image.slice_code != 0 || image.slice_duration != 0, "times of slices")});
+  const double unit = image.time_units == NIFTI_UNITS_MSEC   ? 1e-3
+                      : image.time_units == NIFTI_UNITS_USEC ? 1e-6
+                                                             : 1;
+  const bool timed = image.time_units == NIFTI_UNITS_SEC || unit < 1;
+  header.timeStep = timed && std::isfinite(image.dt) && image.dt > 0 ? image.dt * unit : 0;
+  nifti_1_header plain{};
+  if (fitsNifti1(image) && nifti_convert_nim2n1hdr(&image, &plain) == 0) {
+    header.asNifti1.resize(sizeof(plain));
+    std::memcpy(header.asNifti1.data(), &plain, sizeof(plain));
+  }
 }
 
 }  // namespace
@@ -333,7 +388,8 @@ std::uint64_t niftiHeaderSize(const std::string& path, const std::vector<std::ui
   return static_cast<std::uint64_t>(decode<std::int32_t>(firstFour.data(), order));
 }
 
-NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uint8_t>& bytes,
+                             VolumeTransform transform) {
   NiftiHeader header;
   header.version = bytes.size() == 348 ? 1 : 2;
   header.coding.order = byteOrderOf(path, bytes.data());
@@ -354,9 +410,9 @@ NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uin
   if ((raw.units & 7) == 0) {
     header.warnings.emplace_back("The unit of length is not stated; millimetres were assumed.");
   }
-  header.described = fields.at<std::uint8_t>(header.version == 1 ? 148 : 240) != 0;
   const NiftiImage image = interpret(path, bytes, header.version);
-  orient(path, raw, *image, header);
+  orient(path, raw, *image, transform, header);
+  note(*image, header);
   return header;
 }
 

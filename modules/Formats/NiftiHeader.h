@@ -24,7 +24,11 @@ struct NiftiHeader {
   CoordinateSpace space = CoordinateSpace::Unknown;
   std::string spaceReason;
   int transformCode = 0;
-  bool described = false;  ///< it has a description
+  double disagreement = 0;              ///< mm between sform and qform at the farthest corner; 0 up to 1e-3
+  double timeStep = 0;                  ///< s between frames; 0 = not stated
+  /// The header as NIfTI-1 in the order of this machine; empty when it does not fit.
+  std::vector<std::uint8_t> asNifti1;
+  std::string notes;                    ///< what it says beyond place, type and time: "description, intent"
   std::vector<std::string> warnings;
 };
 
@@ -41,8 +45,10 @@ struct NiftiHeader {
 ///
 /// Rejected: a magic other than n+1, ni1, n+2, ni2 (an Analyze header, for instance); vox_offset that is not
 /// finite or lies inside the header; dim[0] outside 1 to 7; a dimension below 1 or beyond 32 bits; a product
-/// beyond 2^40; a type that is not read; a slope or intercept that is not finite; CIFTI.
+/// beyond 2^40; a type that is not read; a slope or intercept that is not finite; CIFTI; a transform that is asked for
+/// and not there.
 /// @throws FormatError
-[[nodiscard]] NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uint8_t>& bytes);
+[[nodiscard]] NiftiHeader parseNiftiHeader(const std::string& path, const std::vector<std::uint8_t>& bytes,
+                                           VolumeTransform transform);
 
 }  // namespace authalic

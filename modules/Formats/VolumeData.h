@@ -8,13 +8,9 @@
 #include <vector>
 
 #include "Formats/ByteCursor.h"
-#include "Formats/VolumeFile.h"
+#include "Formats/StoredVolume.h"
 
 namespace authalic {
-
-enum class VoxelType { None, Uint8, Int8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
-
-[[nodiscard]] int voxelSize(VoxelType type) noexcept;
 
 /// How stored numbers become values: value = slope * stored + inter.
 struct VoxelCoding {
@@ -33,11 +29,17 @@ struct VoxelCoding {
                                                                    const std::array<int, 3>& dimensions,
                                                                    const Eigen::Matrix4d& voxelToWorld);
 
-[[nodiscard]] VolumeFile readNifti(const std::string& path, int frame);
-[[nodiscard]] VolumeFile readMgh(const std::string& path, int frame);
+[[nodiscard]] StoredVolume readNifti(const std::string& path, const VolumeRequest& request);
+[[nodiscard]] StoredVolume readMgh(const std::string& path, const VolumeRequest& request);
 
-void writeMgh(const std::string& path, const ScalarVolume& volume);
-void writeMgh(const std::string& path, const LabelVolume& volume);
+void writeNifti(const std::string& path, const StoredVolume& volume);
+void writeMgh(const std::string& path, const StoredVolume& volume);
+
+/// Turns the bytes of each number round: big endian becomes little endian and back.
+void turnRound(std::vector<std::uint8_t>& bytes, VoxelType type);
+
+/// "a, b" of the words that are not empty.
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 /// The affine as the single-precision fields of an MGH header give it back.
 [[nodiscard]] Eigen::Matrix4d mghAffine(const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "Core/base/Error.h"
-#include "Formats/InputFile.h"
 #include "Formats/VolumeData.h"
 
 namespace authalic {
@@ -82,33 +81,9 @@ bool staysInteger(const std::vector<std::uint8_t>& bytes, const VoxelCoding& cod
 
 }  // namespace
 
-int voxelSize(VoxelType type) noexcept {
-  switch (type) {
-    case VoxelType::Uint8:
-    case VoxelType::Int8:
-      return 1;
-    case VoxelType::Int16:
-    case VoxelType::Uint16:
-      return 2;
-    case VoxelType::Int32:
-    case VoxelType::Uint32:
-    case VoxelType::Float32:
-      return 4;
-    case VoxelType::Int64:
-    case VoxelType::Uint64:
-    case VoxelType::Float64:
-      return 8;
-    case VoxelType::None:
-      break;
-  }
-  return 0;
-}
-
 std::string codingName(const VoxelCoding& coding) {
-  constexpr std::array<const char*, 11> names{"none",  "uint8",  "int8",  "int16",   "uint16", "int32",
-                                              "uint32", "int64", "uint64", "float32", "float64"};
   const bool scaled = coding.slope != 1 || coding.inter != 0;
-  return std::string(names[static_cast<std::size_t>(coding.type)]) + (scaled ? " with scaling" : "");
+  return std::string(voxelTypeName(coding.type)) + (scaled ? " with scaling" : "");
 }
 
 Eigen::Matrix4d storedAffine(const std::string& path, const std::array<int, 3>& dimensions,
@@ -194,16 +169,40 @@ bool isNiftiName(const std::string& path) {
   return std::any_of(endings.begin(), endings.end(), [&path](const char* end) { return endsWith(path, end); });
 }
 
-VolumeFile readVolume(const std::string& path, int frame) {
-  if (isMghName(path)) {
-    return readMgh(path, frame);
+bool StoredVolume::isInteger32() const { return staysInteger(bytes, {type, ByteOrder::Little, slope, inter}); }
+
+VolumeFile readVolume(const std::string& path, int frame, VolumeTransform transform) {
+  StoredVolume stored = readStoredVolume(path, {frame, false, false, transform});
+  VolumeFile file;
+  static_cast<VolumeFacts&>(file) = static_cast<VolumeFacts&>(stored);
+  file.volume = decodeVoxels(stored.bytes, {stored.type, ByteOrder::Little, stored.slope, stored.inter},
+                             stored.dimensions, stored.voxelToWorld);
+  return file;
+}
+
+namespace {
+
+template <class T>
+void writeValues(const std::string& path, const VolumeOf<T>& volume, VoxelType type, int transformCode) {
+  StoredVolume stored;
+  stored.dimensions = volume.dimensions;
+  stored.voxelToWorld = volume.voxelToWorld;
+  stored.type = type;
+  stored.transformCode = transformCode;
+  stored.bytes.reserve(volume.values.size() * sizeof(T));
+  for (const T value : volume.values) {
+    encode(stored.bytes, value, ByteOrder::Little);
   }
-  if (isNiftiName(path)) {
-    return readNifti(path, frame);
-  }
-  const auto start = InputFile(path).read(4, "the header of a volume");
-  const bool mgh = decode<std::int32_t>(start.data(), ByteOrder::Big) == 1;
-  return mgh ? readMgh(path, frame) : readNifti(path, frame);
+  writeStoredVolume(path, stored);
+}
+
+}  // namespace
+
+void writeVolume(const std::string& path, const ScalarVolume& volume, int transformCode) {
+  writeValues(path, volume, VoxelType::Float32, transformCode);
+}
+void writeVolume(const std::string& path, const LabelVolume& volume, int transformCode) {
+  writeValues(path, volume, VoxelType::Int32, transformCode);
 }
 
 }  // namespace authalic

@@ -36,8 +36,8 @@ struct XmlReader::Events {
       for (; pairs[0] != nullptr; pairs += 2) {
         attributes[pairs[0]] = pairs[1];
       }
-      reader.text_.clear();
       reader.start(name, attributes);
+      reader.text_.clear();
     });
   }
   static void XMLCALL onEnd(void* data, const XML_Char* name) {

@@ -1,5 +1,5 @@
 /// @file
-/// Walks an XML document with expat: what the GIFTI and CIFTI readers share. Private to Formats/.
+/// Walks an XML document with expat: what the GIFTI, CIFTI and VTK readers share.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ using XmlAttributes = std::map<std::string, std::string>;
 /// `text` without blanks at either end.
 [[nodiscard]] std::string trimmed(const std::string& text);
 
-/// Calls start() and end() for every element; text_ holds the characters since the last of either.
+/// Calls start() and end() for every element; in either text_ holds the characters since the last of both.
 ///
 /// Exceptions thrown by either stop the C library and leave walk(). A document that declares entities is
 /// refused, because one that expands them can fill any memory.

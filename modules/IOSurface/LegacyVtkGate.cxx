@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <map>
 
 #include "Core/base/Error.h"
@@ -57,10 +58,12 @@ class LegacyWalker {
   }
 
   void walkHeader() {
-    if (cursor_.line().compare(0, 5, "# vtk") != 0) {
+    const std::string first = cursor_.line();
+    if (first.compare(0, 5, "# vtk") != 0) {
       cursor_.seek(0);
       cursor_.fail("A legacy VTK file begins with \"# vtk DataFile\", but this one does not.");
     }
+    walkVersion(first);
     static_cast<void>(cursor_.line());
     const std::string mode = upper(need("ASCII or BINARY"));
     binary_ = mode == "BINARY";
@@ -78,6 +81,21 @@ class LegacyWalker {
       cursor_.fail("A surface (DATASET POLYDATA) is needed, but the VTK file says \"" + word.substr(0, 24) +
                    " " + kind.substr(0, 24) + "\".");
     }
+  }
+
+  /// Since 5.0 cells are offsets and corners. VTK's reader goes by the version alone.
+  void walkVersion(const std::string& line) {
+    constexpr std::string_view words = "# vtk DataFile Version ";
+    const std::string_view version = std::string_view(line).substr(std::min(words.size(), line.size()));
+    const std::size_t dot = std::min(version.find('.'), version.size());
+    const auto major = parseNumber<int>(version.substr(0, dot));
+    std::string_view rest = version.substr(std::min(dot + 1, version.size()));
+    const auto minor = parseNumber<int>(nextToken(rest));
+    if (line.compare(0, words.size(), words) != 0 || !major || !minor || *major < 1 || *major > 5 || *minor < 0) {
+      cursor_.fail("The first line of a legacy VTK file ends with its version, 1.0 to 5.1, but this one is \"" +
+                   line.substr(0, 40) + "\".");
+    }
+    offsets_ = *major >= 5;
   }
 
   void walkSection(const std::string& word) {
@@ -102,7 +120,10 @@ class LegacyWalker {
     const auto size = count("the number of cell entries");
     const std::size_t before = cursor_.position();
     const std::string word = upper(token());
-    if (word != "OFFSETS") {  // the layout before 5.1: size and corners of each cell in one list
+    if ((word == "OFFSETS") != offsets_) {
+      cursor_.fail("The layout of the cells of the VTK file is not that of its version; it is damaged.");
+    }
+    if (!offsets_) {  // size and corners of each cell in one list
       cursor_.seek(before);
       walkCellList(cells, size);
       return;
@@ -119,7 +140,12 @@ class LegacyWalker {
     if (binary_) {
       return width == 8 ? cursor_.next<std::int64_t>("cells") : cursor_.next<std::int32_t>("cells");
     }
-    return parseNumber<std::int64_t>(need("cells")).value_or(-1);
+    const auto number = parseNumber<std::int64_t>(need("cells"));
+    const bool fits = number && (width == 8 || (*number >= INT32_MIN && *number <= INT32_MAX));
+    if (!fits) {  // VTK's reader would stop here and leave the rest as it was
+      failCells();
+    }
+    return *number;
   }
   [[noreturn]] void failCells() const {
     cursor_.fail("The list of cells of the VTK file contradicts its own sizes; it is damaged.");
@@ -151,7 +177,13 @@ class LegacyWalker {
     if (binary_) {
       static_cast<void>(cursor_.line());
     }
-    const int width = upper(type) == "VTKTYPEINT64" ? 8 : 4;
+    static const std::map<std::string, int> widths{
+        {"VTKTYPEINT64", 8}, {"LONG", 8}, {"VTKTYPEINT32", 4}, {"INT", 4}, {"VTKIDTYPE", 4}};
+    const auto known = widths.find(upper(type));
+    if (known == widths.end()) {
+      cursor_.fail("Offsets of cells should be whole numbers, but are of type \"" + type.substr(0, 24) + "\".");
+    }
+    const int width = known->second;
     std::int64_t last = 0;
     for (std::uint64_t i = 0; i < offsets; ++i) {
       const std::int64_t offset = nextInteger(width);
@@ -280,6 +312,7 @@ class LegacyWalker {
   ByteCursor cursor_;
   std::string_view text_;
   bool binary_ = false;
+  bool offsets_ = false;  ///< cells as offsets and corners
   std::uint64_t tuples_ = 0;
 };
 

@@ -12,12 +12,15 @@
 
 #include "FieldArrays.h"
 #include "FileNames.h"
-#include "Formats/VolumeFile.h"
+#include "Formats/StoredVolume.h"
 #include "SurfaceConversion.h"
+#include "VolumeValues.h"
 
 namespace authalic {
 
 namespace {
+
+constexpr std::size_t kNiftiHeaderSize = 348;
 
 /// What a format of surfaces keeps.
 struct SurfaceRoom {
@@ -238,14 +241,21 @@ std::vector<std::string> vertexDataLosses(const std::string& path, vtkPolyData* 
   return losses;
 }
 
-std::vector<std::string> volumeLosses(const std::string& path, vtkImageData* volume) {
-  std::vector<std::string> losses;
-  vtkDataArray* voxels = volume->GetPointData()->GetScalars();
-  double range[2];
-  voxels->GetRange(range);
-  const bool integers = voxels->GetDataType() != VTK_FLOAT && voxels->GetDataType() != VTK_DOUBLE &&
-                        range[0] >= -2147483648.0 && range[1] <= 2147483647.0;
-  sayRounding(losses, "Values", integers ? 0 : valueRounding(voxels), "");
+namespace {
+
+/// What the header of the source says that a file of that name does not.
+std::string notesLost(const std::string& path, vtkImageData* volume, const StoredVolume& written) {
+  const std::string notRead = textField(volume, "NotRead");
+  if (isMghName(path) ? !written.mghNotes.empty() : written.niftiNotes.size() > kNiftiHeaderSize) {
+    return "";
+  }
+  if (!isMghName(path) && !written.niftiNotes.empty()) {  // all but what lies before the voxels
+    return notRead.find("extensions") == std::string::npos ? "" : "extensions";
+  }
+  return notRead;
+}
+
+void sayPlaceLosses(std::vector<std::string>& losses, const std::string& path, vtkImageData* volume) {
   const Eigen::Matrix4d affine = affineOf(volume);
   std::array<int, 3> dimensions{};
   volume->GetDimensions(dimensions.data());
@@ -258,9 +268,23 @@ std::vector<std::string> volumeLosses(const std::string& path, vtkImageData* vol
   if (code > 1 && !isNiftiName(path)) {
     losses.push_back(std::string("The file does not say that its space is ") + transformCodeName(code) + ".");
   }
-  const std::string notRead = textField(volume, "NotRead");
-  if (!notRead.empty()) {
-    losses.push_back("Parts of the header are not kept: " + notRead + ".");
+  const double disagreement = numberField(volume, "TransformDisagreement", 0);
+  if (disagreement > 0) {
+    const bool sform = textField(volume, "CoordinateSpaceReason").rfind("NIfTI sform", 0) == 0;
+    losses.push_back(std::string("The ") + (sform ? "qform" : "sform") + ", which puts voxels up to " +
+                     shortest(disagreement) + " mm elsewhere, is not kept.");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> volumeLosses(const std::string& path, vtkImageData* volume, const VolumeToWrite& written) {
+  std::vector<std::string> losses;
+  sayRounding(losses, "Values", written.rounding, "");
+  sayPlaceLosses(losses, path, volume);
+  const std::string notes = notesLost(path, volume, written.volume);
+  if (!notes.empty()) {
+    losses.push_back("Parts of the header are not kept: " + notes + ".");
   }
   return losses;
 }

@@ -10,6 +10,8 @@ class vtkPolyData;
 
 namespace authalic {
 
+struct VolumeToWrite;
+
 /// Of a surface written under that name: arrays, space, volume geometry, metadata, digits of the coordinates.
 [[nodiscard]] std::vector<std::string> surfaceLosses(const std::string& path, vtkPolyData* surface);
 
@@ -18,6 +20,7 @@ namespace authalic {
                                                         const std::vector<std::string>& arrays);
 
 /// Of a volume written under that name: digits of values and affine, the kind of space, what the reader passed over.
-[[nodiscard]] std::vector<std::string> volumeLosses(const std::string& path, vtkImageData* volume);
+[[nodiscard]] std::vector<std::string> volumeLosses(const std::string& path, vtkImageData* volume,
+                                                    const VolumeToWrite& written);
 
 }  // namespace authalic

@@ -71,28 +71,6 @@ VolumeGeometry unpackedGeometry(vtkDataObject* object) {
   return geometry;
 }
 
-template <class Array, class T>
-void setVolumeAs(vtkImageData* output, const VolumeOf<T>& volume) {
-  output->Initialize();
-  output->SetDimensions(volume.dimensions[0], volume.dimensions[1], volume.dimensions[2]);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double spacing = volume.voxelToWorld.col(axis).template head<3>().norm();
-    double size[3];
-    output->GetSpacing(size);
-    size[axis] = spacing;
-    output->SetSpacing(size);
-    for (int row = 0; row < 3; ++row) {
-      output->GetDirectionMatrix()->SetElement(row, axis, volume.voxelToWorld(row, axis) / spacing);
-    }
-  }
-  output->SetOrigin(volume.voxelToWorld(0, 3), volume.voxelToWorld(1, 3), volume.voxelToWorld(2, 3));
-  vtkNew<Array> values;
-  values->SetName("Values");
-  values->SetNumberOfTuples(static_cast<vtkIdType>(volume.values.size()));
-  std::copy(volume.values.begin(), volume.values.end(), values->GetPointer(0));
-  output->GetPointData()->SetScalars(values);
-}
-
 }  // namespace
 
 void setSpaceFields(vtkDataObject* output, const SurfaceFile& surface) {
@@ -231,11 +209,18 @@ Eigen::Matrix4d affineOf(vtkImageData* volume) {
   return affine;
 }
 
-void setVolume(vtkImageData* output, const ScalarVolume& volume) {
-  setVolumeAs<vtkFloatArray>(output, volume);
-}
-void setVolume(vtkImageData* output, const LabelVolume& volume) {
-  setVolumeAs<vtkIntArray>(output, volume);
+void setLattice(vtkImageData* output, const std::array<int, 3>& dimensions, const Eigen::Matrix4d& affine) {
+  output->Initialize();
+  output->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
+  double spacing[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    spacing[axis] = affine.col(axis).head<3>().norm();
+    for (int row = 0; row < 3; ++row) {
+      output->GetDirectionMatrix()->SetElement(row, axis, affine(row, axis) / spacing[axis]);
+    }
+  }
+  output->SetSpacing(spacing);
+  output->SetOrigin(affine(0, 3), affine(1, 3), affine(2, 3));
 }
 
 }  // namespace authalic

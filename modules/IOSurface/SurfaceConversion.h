@@ -48,11 +48,10 @@ VTKAUTHALICIOSURFACE_EXPORT void setRegions(vtkDataObject* output, const std::st
 [[nodiscard]] VTKAUTHALICIOSURFACE_EXPORT std::vector<Region> toRegions(vtkDataObject* object,
                                                                         const std::string& array);
 
-/// Point scalars `Values` with origin, spacing and direction matrix such that physical coordinates are
-/// scanner RAS mm. Extent starts at 0. A sheared affine gives a direction matrix that is no rotation; VTK's
-/// transforms still hold.
-VTKAUTHALICIOSURFACE_EXPORT void setVolume(vtkImageData* output, const ScalarVolume& volume);
-VTKAUTHALICIOSURFACE_EXPORT void setVolume(vtkImageData* output, const LabelVolume& volume);
+/// Dimensions, origin, spacing and direction matrix such that physical coordinates are scanner RAS mm. Extent starts at
+/// 0. A sheared affine gives a direction matrix that is no rotation; VTK's transforms still hold.
+VTKAUTHALICIOSURFACE_EXPORT void setLattice(vtkImageData* output, const std::array<int, 3>& dimensions,
+                                            const Eigen::Matrix4d& affine);
 
 /// Voxel (i, j, k) of the extent from 0 → physical coordinates.
 [[nodiscard]] VTKAUTHALICIOSURFACE_EXPORT Eigen::Matrix4d affineOf(vtkImageData* volume);

@@ -11,24 +11,22 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
-#include <vtkSTLReader.h>
 #include <vtkSTLWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 
 #include "Core/base/Error.h"
 #include "Formats/AtomicFile.h"
-#include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
 #include "Formats/SurfaceFile.h"
 #include "FieldArrays.h"
 #include "FileNames.h"
 #include "LegacyVtkGate.h"
-#include "VtpGate.h"
+#include "StlReader.h"
+#include "VtpReader.h"
 
 namespace authalic {
 
@@ -63,36 +61,18 @@ void observe(vtkAlgorithm* algorithm, ErrorListener* listener) {
   algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
   algorithm->AddObserver(vtkCommand::WarningEvent, listener);
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
-  if (auto* xml = vtkXMLReader::SafeDownCast(algorithm)) {
-    xml->SetParserErrorObserver(listener);
-  }
 }
 
-/// A binary STL file is 84 bytes and 50 for each triangle; an ASCII one begins with "solid" and has facets.
-void checkStlClaims(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
-                              std::min<std::size_t>(bytes.size(), 4096));
-  if (text.find("facet") != std::string_view::npos && text.find("solid") != std::string_view::npos) {
-    return;
-  }
-  ByteCursor cursor(path, bytes, ByteOrder::Little);
-  cursor.seek(80);
-  const auto triangles = cursor.next<std::uint32_t>("the number of triangles");
-  cursor.need(triangles, 50, "the list of triangles");
-}
-
-void checkClaims(const std::string& path, const std::string& extension) {
-  const auto bytes = readBytes(path);
+/// The bytes of the file, after the gate of its kind.
+std::vector<std::uint8_t> checkedBytes(const std::string& path, const std::string& extension) {
+  auto bytes = readBytes(path);
   if (bytes.size() >= 2 && InputFile(path).compressed()) {
     throw FormatError(path, "Compressed " + extension + " files are not read; unpack it with gunzip first.");
   }
   if (extension == ".vtk") {
     checkLegacyVtk(path, bytes);
-  } else if (extension == ".stl") {
-    checkStlClaims(path, bytes);
-  } else {
-    checkVtp(path, bytes);
   }
+  return bytes;
 }
 
 template <class Reader>
@@ -112,9 +92,9 @@ void run(Reader* reader, const std::string& path, vtkPolyData* output) {
 }
 
 void readByExtension(const std::string& path, const std::string& extension, vtkPolyData* output) {
+  const auto bytes = checkedBytes(path, extension);
   if (extension == ".vtp") {
-    vtkNew<vtkXMLPolyDataReader> reader;
-    run(reader.Get(), path, output);
+    readVtp(path, bytes, output);
   } else if (extension == ".vtk") {
     vtkNew<vtkPolyDataReader> reader;
     reader->ReadAllScalarsOn();
@@ -126,9 +106,7 @@ void readByExtension(const std::string& path, const std::string& extension, vtkP
     reader->ReadAllColorScalarsOn();
     run(reader.Get(), path, output);
   } else {
-    vtkNew<vtkSTLReader> reader;
-    reader->MergingOn();
-    run(reader.Get(), path, output);
+    readStl(path, bytes, output);
   }
 }
 
@@ -205,7 +183,6 @@ bool isVtkSurfaceName(const std::string& path) {
 
 void readVtkSurface(const std::string& path, vtkPolyData* output) {
   const std::string extension = extensionOf(path);
-  checkClaims(path, extension);
   readByExtension(path, extension, output);
   if (output->GetNumberOfPoints() == 0) {
     throw FormatError(path, "A surface with vertices is needed, but the file holds none that VTK can read.");

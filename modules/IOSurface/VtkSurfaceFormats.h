@@ -1,5 +1,6 @@
 /// @file
-/// The surface formats that are left to VTK's readers and writers: STL, VTP and legacy VTK. Private to IOSurface/.
+/// VTK's own surface formats: legacy VTK by VTK's reader behind a gate, STL and VTP by readers of ours, all by VTK's
+/// writers. Private to IOSurface/.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace authalic {
 /// Whether the name ends in .vtp, .vtk or .stl.
 [[nodiscard]] bool isVtkSurfaceName(const std::string& path);
 
-/// Reads with VTK. Counts that the file cannot hold are refused before VTK sees them; VTK's errors and cells
+/// Counts that the file cannot hold are refused before VTK sees them; VTK's errors and cells
 /// that point outside the vertices are refused after. Polygons and strips become triangles, lines and
 /// vertices are dropped, equal points of STL are merged; arrays are kept; points become double precision.
 /// @throws FormatError

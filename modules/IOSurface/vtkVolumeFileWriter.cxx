@@ -1,7 +1,5 @@
 #include "vtkVolumeFileWriter.h"
 
-#include <cmath>
-
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -12,9 +10,10 @@
 #include "ErrorCode.h"
 #include "FieldArrays.h"
 #include "Formats/AtomicFile.h"
-#include "Formats/VolumeFile.h"
+#include "Formats/StoredVolume.h"
 #include "Losses.h"
 #include "SurfaceConversion.h"
+#include "VolumeValues.h"
 
 vtkStandardNewMacro(vtkVolumeFileWriter);
 
@@ -34,14 +33,16 @@ void requireName(const std::string& path) {
   }
 }
 
-vtkDataArray* voxelsOf(const std::string& path, vtkImageData* volume) {
+void requireVoxels(const std::string& path, vtkImageData* volume) {
   vtkDataArray* voxels = volume ? volume->GetPointData()->GetScalars() : nullptr;
   if (!voxels || voxels->GetNumberOfTuples() == 0) {
     throw authalic::GeometryError(path + ": A volume with voxels is required to write a file; it is empty.");
   }
-  if (voxels->GetNumberOfComponents() != 1) {
+  const int frames = static_cast<int>(authalic::numberField(volume, "Frames", 1));
+  if (voxels->GetNumberOfComponents() != 1 && voxels->GetNumberOfComponents() != frames) {
     throw authalic::InvalidArgument(path + ": One number per voxel is required, but there are " +
-                                    std::to_string(voxels->GetNumberOfComponents()) + "; take one component.");
+                                    std::to_string(voxels->GetNumberOfComponents()) +
+                                    "; take one component, or say that they are frames (field Frames).");
   }
   const std::string reason = authalic::textField(volume, "CoordinateSpaceReason");
   if (authalic::textField(volume, "CoordinateSpace") == "unknown") {
@@ -50,30 +51,6 @@ vtkDataArray* voxelsOf(const std::string& path, vtkImageData* volume) {
                                     "; where you know that its axes are scanner RAS, say so (--space scanner-ras, or "
                                     "field CoordinateSpace).");
   }
-  return voxels;
-}
-
-/// Whether every value is a whole number of 32 bits of an integer type.
-bool areIntegers(vtkDataArray* voxels) {
-  if (voxels->GetDataType() == VTK_FLOAT || voxels->GetDataType() == VTK_DOUBLE) {
-    return false;
-  }
-  double range[2];
-  voxels->GetRange(range);
-  return range[0] >= -2147483648.0 && range[1] <= 2147483647.0;
-}
-
-template <class Volume>
-void writeAs(const std::string& path, vtkImageData* image, vtkDataArray* voxels) {
-  Volume volume;
-  image->GetDimensions(volume.dimensions.data());
-  volume.voxelToWorld = authalic::affineOf(image);
-  using Value = typename decltype(volume.values)::value_type;
-  volume.values.resize(static_cast<std::size_t>(voxels->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < volume.values.size(); ++i) {
-    volume.values[i] = static_cast<Value>(voxels->GetComponent(static_cast<vtkIdType>(i), 0));
-  }
-  authalic::writeVolume(path, volume, static_cast<int>(authalic::numberField(image, "TransformCode", 1)));
 }
 
 }  // namespace
@@ -92,13 +69,10 @@ void vtkVolumeFileWriter::WriteData() {
     const std::string path = this->FileName;
     requireName(path);
     vtkImageData* volume = vtkImageData::SafeDownCast(this->GetInput());
-    vtkDataArray* voxels = voxelsOf(path, volume);
-    if (areIntegers(voxels)) {
-      writeAs<authalic::LabelVolume>(path, volume, voxels);
-    } else {
-      writeAs<authalic::ScalarVolume>(path, volume, voxels);
-    }
-    this->Losses = authalic::volumeLosses(path, volume);
+    requireVoxels(path, volume);
+    const authalic::VolumeToWrite written = authalic::toStored(path, volume);
+    authalic::writeStoredVolume(path, written.volume);
+    this->Losses = authalic::volumeLosses(path, volume, written);
   });
   this->SetErrorCode(authalic::writerErrorCode(this->ErrorKind));
 }

@@ -4,12 +4,19 @@
  *
  * | name ends in | format | voxels | space |
  * |---|---|---|---|
- * | .nii, .nii.gz | NIfTI-1 | 32-bit integers or floats | sform, and qform when the axes are orthogonal; code from field TransformCode, else 1 (scanner) |
- * | .mgh, .mgz | MGH | 32-bit integers or floats | direction cosines and centre (goodRAS) |
+ * | .nii, .nii.gz | NIfTI-1 | integers, floats of 8 to 64 bits, scaled or not | sform; qform when the axes are orthogonal |
+ * | .mgh, .mgz | MGH | uint8, int16, int32, float | direction cosines and centre (goodRAS) |
  *
- * The point scalars have one component. Physical coordinates (origin, spacing, direction matrix) are taken to be
- * scanner RAS mm; a volume whose field CoordinateSpace says "unknown" is refused, because the file would claim to
- * know. GetLoss() says in words what the format had no room for.
+ * NIfTI's code of the transform is that of field TransformCode, else 1 (scanner).
+ *
+ * The type is the narrowest of these that gives every value back exactly: that of field StoredType with its scaling
+ * (Slope, Intercept), int32, that of the scalars, float; where the format has none that does, float, with rounding that
+ * GetLoss() tells. The point scalars have one component, or one per frame (field Frames). Fields TimeStep, NiftiNotes
+ * and MghNotes are those of vtkVolumeFileReader with KeepNumbers.
+ *
+ * Physical coordinates (origin, spacing, direction matrix) are taken to be scanner RAS mm; a volume whose field
+ * CoordinateSpace says "unknown" is refused, because the file would claim to know. GetLoss() says in words what the
+ * format had no room for.
  *
  * Write() returns 1 on success; otherwise 0, one sentence goes to the error macro and GetErrorKind() says the kind.
  */

@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -18,9 +17,9 @@ namespace {
 struct ConvertOptions {
   std::string input, output, structure;
   std::vector<std::string> data, arrays;
-  std::optional<int> frame;
   bool lps = false;
   SpaceOption space;
+  VolumeOption volume;
 };
 
 VerbHelp convertHelp() {
@@ -35,7 +34,8 @@ VerbHelp convertHelp() {
       "FreeSurfer surface\n\n"
       "per-vertex data, arrays named with --array: .func.gii, .shape.gii, .label.gii, .annot, .label, .w, .mgh, .mgz, "
       ".txt, .curv, .thickness, .sulc, .area; anything else is FreeSurfer's curv where INPUT is per-vertex data\n\n"
-      "volumes: .nii, .nii.gz, .mgh, .mgz\n\n"
+      "volumes: .nii, .nii.gz, .mgh, .mgz; every frame unless --frame names one, numbers in the type they have where "
+      "the format holds it\n\n"
       "Coordinates are written in scanner RAS when the space is known, in FreeSurfer's files in tkRAS when the volume "
       "geometry is. What the format has no room for is said on stderr, one sentence each.";
   help.examples = {
@@ -46,6 +46,7 @@ VerbHelp convertHelp() {
       "authalic convert all.dscalar.nii lh.shape.gii --structure CortexLeft",
       "authalic convert lh.cortex.patch.flat lh.flat.surf.gii --whole lh.white",
       "authalic convert orig.mgz orig.nii.gz",
+      "authalic convert t1.nii.gz t1.mgz --transform qform\n  where the two transforms of the file disagree",
       "authalic convert lh.white.vtp lh.white.ply --lps\n  for ITK and 3D Slicer"};
   return help;
 }
@@ -84,14 +85,14 @@ void convertVolume(const ConvertOptions& o, const Session& session) {
     throw Failure(FileProblem, o.input + ": a surface or per-vertex data are required to write " + o.output +
                                    ", but it is a volume; end the output in .nii, .nii.gz, .mgh or .mgz.");
   }
-  const vtkSmartPointer<vtkImageData> volume = readVolume(o.input, session, o.frame.value_or(0));
-  const int frames = static_cast<int>(numberField(volume, "Frames").value_or(1));
-  if (frames > 1 && !o.frame) {
-    throw Failure(UsageProblem, o.input + ": a volume of one frame is required, but it has " + std::to_string(frames) +
-                                    "; choose one with --frame 0 to " + std::to_string(frames - 1) + ".");
-  }
+  VolumeOption wanted = o.volume;
+  wanted.allFrames = !o.volume.frame;
+  wanted.keepNumbers = true;
+  const vtkSmartPointer<vtkImageData> volume = readVolume(o.input, session, wanted);
   assertSpace(volume, o);
-  say(writeVolume(o.output, volume), o, frames > 1 ? std::to_string(frames - 1) + " other frames" : "", session);
+  const int frames = static_cast<int>(numberField(volume, "Frames").value_or(1));
+  const bool others = o.volume.frame && frames > 1;
+  say(writeVolume(o.output, volume), o, others ? std::to_string(frames - 1) + " other frames" : "", session);
 }
 
 /// The arrays of a file of per-vertex data, without the values that go with a label.
@@ -142,7 +143,8 @@ void runConvert(const ConvertOptions& o, const Session& session) {
   requireWritable({o.output});
   const FileContent content = contentOfInput(o.input);
   if (content == FileContent::Volume) return convertVolume(o, session);
-  refuse(o.frame.has_value(), "--frame", "belongs to volumes, but " + o.input + " is none.");
+  refuse(o.volume.frame || o.volume.transform != VolumeOption().transform, "--frame and --transform",
+         "belong to volumes, but " + o.input + " is none.");
   if (content == FileContent::VertexData) return convertVertexData(o, session);
   convertSurface(o, session);
 }
@@ -161,9 +163,8 @@ void addConvert(CLI::App& app, Session& session) {
   verb->add_option("--array", o->arrays, "Arrays to write to a file of per-vertex data.")->type_name("NAME...");
   verb->add_option("--structure", o->structure, "Which surface of a CIFTI file: CortexLeft, CortexRight, ...")
       ->type_name("NAME");
-  verb->add_option("--frame", o->frame, "Which frame of a volume, from 0; needed where there are several.")
-      ->type_name("N")
-      ->check(notNegative());
+  o->volume.declareFrame(verb);
+  o->volume.declareTransform(verb);
   verb->add_flag("--lps", o->lps, "Write LPS coordinates, as ITK and 3D Slicer do: .vtp, .vtk, .ply, .obj, .stl.");
   o->space.declare(verb);
   verb->callback([o, &session] { runConvert(*o, session); });

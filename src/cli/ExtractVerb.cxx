@@ -8,6 +8,7 @@
 #include <vtkPolyData.h>
 
 #include "Files.h"
+#include "Formats/VolumeFile.h"
 
 namespace authalic::cli {
 namespace {
@@ -19,6 +20,7 @@ struct ExtractOptions {
   std::string t1, output, labels, convention = "aal", format = "vtp", json;
   std::optional<int> faces, smoothing;
   std::optional<double> sealing, threshold;
+  VolumeOption volume;
 };
 
 VerbHelp extractHelp() {
@@ -59,10 +61,11 @@ void requireTargets(const ExtractOptions& o, const std::string& ending) {
 void runExtract(const ExtractOptions& o, const Session& session) {
   const std::string ending = endings[static_cast<std::size_t>(choice("--format", o.format, formats))];
   requireTargets(o, ending);
-  const vtkSmartPointer<vtkImageData> t1 = readVolume(o.t1, session);
+  const vtkSmartPointer<vtkImageData> t1 = readVolume(o.t1, session, o.volume);
   vtkNew<vtkCorticalSurface> extract;
   extract->SetInputData(0, t1);
-  if (!o.labels.empty()) extract->SetInputData(1, readVolume(o.labels, session));
+  const VolumeOption ofLabels = isNiftiName(o.labels) ? o.volume : VolumeOption();
+  if (!o.labels.empty()) extract->SetInputData(1, readVolume(o.labels, session, ofLabels));
   extract->SetLabelConvention(choice("--convention", o.convention, conventions));
   if (o.faces) extract->SetTargetFaces(*o.faces);
   if (o.smoothing) extract->SetSmoothingIterations(*o.smoothing);
@@ -105,6 +108,7 @@ void addExtract(CLI::App& app, Session& session) {
   verb->add_option("--format", o->format, "Format of the surfaces: " + oneOf(formats) + ".")
       ->type_name("NAME")->capture_default_str();
   verb->add_option("--json", o->json, "Areas, volumes, thresholds and counts.")->type_name("FILE");
+  o->volume.declareTransform(verb);
   verb->callback([o, &session] { runExtract(*o, session); });
 }
 

@@ -154,8 +154,10 @@ OrderedJson dataInfo(const std::string& path, const Session& session) {
 
 }  // namespace
 
-OrderedJson volumeInfo(const std::string& path, const Session& session) {
-  const vtkSmartPointer<vtkImageData> volume = readVolume(path, Session{true, session.threads});
+OrderedJson volumeInfo(const std::string& path, const VolumeOption& option, const Session& session) {
+  VolumeOption any = option;
+  any.onlyWhatIsClear = false;
+  const vtkSmartPointer<vtkImageData> volume = readVolume(path, Session{true, session.threads}, any);
   OrderedJson info;
   info["file"] = path;
   info["contents"] = "volume";

@@ -9,7 +9,7 @@
 namespace authalic::cli {
 
 /// Voxels, values, axes, space and how it was decided, doubts about it.
-[[nodiscard]] OrderedJson volumeInfo(const std::string& path, const Session& session);
+[[nodiscard]] OrderedJson volumeInfo(const std::string& path, const VolumeOption& option, const Session& session);
 
 /// Arrays with their range, regions, structures of a CIFTI file; lists of some vertices as they are.
 [[nodiscard]] OrderedJson vertexDataInfo(const std::string& path, const Session& session);

@@ -1,5 +1,6 @@
 #include "Files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -29,6 +30,7 @@ namespace authalic::cli {
 namespace {
 
 const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras", "lps"};
+const std::vector<std::string> transforms = {"automatic", "sform", "qform"};
 
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
@@ -96,11 +98,53 @@ vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session&
   return readWholeSurface(path, session, space).surface;
 }
 
-vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, int frame) {
+void VolumeOption::declareTransform(CLI::App* verb) {
+  verb->add_option("--transform", transform,
+                   "Which transform of a NIfTI volume places it: " + oneOf(transforms) +
+                       ". Needed where the two put voxels elsewhere.")
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void VolumeOption::declareFrame(CLI::App* verb) {
+  verb->add_option("--frame", frame, "Which frame of a volume of several, from 0.")
+      ->type_name("N")
+      ->check(notNegative());
+}
+
+namespace {
+
+/// Refuses a volume whose two transforms put voxels more than half a voxel apart.
+void requireOnePlace(vtkImageData* volume, const std::string& path) {
+  const double apart = numberField(volume, "TransformDisagreement").value_or(0);
+  const double* size = volume->GetSpacing();
+  if (apart <= 0.5 * std::min({size[0], size[1], size[2]})) return;
+  std::ostringstream words;
+  words << path << ": one place is required, but the sform and the qform put voxels up to " << apart
+        << " mm apart, over half a voxel; say which holds with --transform sform or --transform qform (authalic info "
+           "shows both).";
+  throw Failure(UsageProblem, words.str());
+}
+
+void requireOneFrame(vtkImageData* volume, const std::string& path) {
+  const int frames = static_cast<int>(numberField(volume, "Frames").value_or(1));
+  if (frames == 1) return;
+  throw Failure(UsageProblem, path + ": a volume of one frame is required, but it has " + std::to_string(frames) +
+                                  "; choose one with --frame 0 to " + std::to_string(frames - 1) + ".");
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, const VolumeOption& option) {
   vtkNew<vtkVolumeFileReader> reader;
   reader->SetFileName(path.c_str());
-  reader->SetFrame(frame);
+  reader->SetFrame(option.frame.value_or(0));
+  reader->SetAllFrames(option.allFrames);
+  reader->SetKeepNumbers(option.keepNumbers);
+  reader->SetTransform(choice("--transform", option.transform, transforms));
   updateAlgorithm(reader, session, [&reader] { return reader->GetErrorKind(); });
+  if (option.onlyWhatIsClear && option.transform == transforms[0]) requireOnePlace(reader->GetOutput(), path);
+  if (option.onlyWhatIsClear && !option.frame && !option.allFrames) requireOneFrame(reader->GetOutput(), path);
   return reader->GetOutput();
 }
 

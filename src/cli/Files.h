@@ -27,9 +27,20 @@ struct SpaceOption {
   void declare(CLI::App* verb);
 };
 
+/// The options that say what is to be taken from a volume, and what they were given.
+struct VolumeOption {
+  std::string transform = "automatic";
+  std::optional<int> frame;
+  bool allFrames = false, keepNumbers = false;  ///< for writing the volume again
+  /// Several frames, and transforms that put voxels elsewhere, are refused unless one was chosen.
+  bool onlyWhatIsClear = true;
+  void declareTransform(CLI::App* verb);
+  void declareFrame(CLI::App* verb);
+};
+
 /// @throws Failure
 vtkSmartPointer<vtkPolyData> readSurface(const std::string& path, const Session& session, const SpaceOption& space);
-vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, int frame = 0);
+vtkSmartPointer<vtkImageData> readVolume(const std::string& path, const Session& session, const VolumeOption& option);
 
 /// What a reader gave, and in words what else the file holds.
 struct ReadSurface {

@@ -18,6 +18,7 @@ namespace {
 struct InfoOptions {
   std::string surface, json;
   SpaceOption space;
+  VolumeOption volume;
 };
 
 VerbHelp infoHelp() {
@@ -106,7 +107,7 @@ void runInfo(const InfoOptions& options, const Session& session) {
   const bool loosePatch = content == FileContent::Patch && options.space.whole.empty();
   if (content == FileContent::Volume || content == FileContent::VertexData || loosePatch) {
     const OrderedJson info = loosePatch                        ? patchInfo(options.surface)
-                             : content == FileContent::Volume ? volumeInfo(options.surface, session)
+                             : content == FileContent::Volume ? volumeInfo(options.surface, options.volume, session)
                                                               : vertexDataInfo(options.surface, session);
     writeJson(options.json, info);
     printInfo(info);
@@ -135,6 +136,8 @@ void addInfo(CLI::App& app, Session& session) {
       ->required();
   verb->add_option("--json", options->json, "Writes the report with every defect and its place.")->type_name("FILE");
   options->space.declare(verb);
+  options->volume.declareFrame(verb);
+  options->volume.declareTransform(verb);
   verb->callback([options, &session] { runInfo(*options, session); });
 }
 

@@ -24,6 +24,7 @@ struct SampleOptions {
   std::optional<double> labels;
   bool skipZero = false;
   SpaceOption space;
+  VolumeOption volumeOption;
 };
 
 VerbHelp sampleHelp() {
@@ -100,7 +101,7 @@ void runSample(const SampleOptions& o, const Session& session) {
   requireWritable({o.output, o.json});
   const vtkSmartPointer<vtkPolyData> surface = readSurface(o.surface, session, o.space);
   requireScannerSpace(surface, o.surface, "state it with --space scanner-ras or --space tkras.");
-  const vtkSmartPointer<vtkImageData> volume = readVolume(o.volume, session);
+  const vtkSmartPointer<vtkImageData> volume = readVolume(o.volume, session, o.volumeOption);
   requireScannerSpace(volume, o.volume, "give the file an sform or a qform.");
   const vtkSmartPointer<vtkPolyData> result =
       o.labels ? labelled(o, session, surface, volume) : sampled(o, session, surface, volume);
@@ -148,6 +149,8 @@ void addSample(CLI::App& app, Session& session) {
   verb->add_option("--name", o->name, "Name of the array.")->type_name("NAME")->default_str(defaults->GetArrayName());
   verb->add_option("--json", o->json, "Counts, and everything the surface says about itself.")->type_name("FILE");
   o->space.declare(verb);
+  o->volumeOption.declareFrame(verb);
+  o->volumeOption.declareTransform(verb);
   verb->callback([o, &session] { runSample(*o, session); });
 }
 

@@ -74,3 +74,16 @@ class Formats(CommandLine):
             text = words.encode() + b"\0"
             data += struct.pack(">ii", number, len(text)) + text + struct.pack(">4i", *color, 255 - opacity)
         self.path(name).write_bytes(data)
+
+    def nifti(self, name, sform_code, qform_code, shift):
+        header = bytearray(352)
+        struct.pack_into("<i", header, 0, 348)
+        struct.pack_into("<8h", header, 40, 3, 2, 3, 4, 1, 1, 1, 1)
+        struct.pack_into("<hh", header, 70, 4, 16)
+        struct.pack_into("<4f", header, 76, 1, 2, 2, 2)
+        struct.pack_into("<f", header, 108, 352)
+        header[123] = 2
+        struct.pack_into("<hh6f", header, 252, qform_code, sform_code, 0, 0, 0, 5 + shift, 6, 7)
+        struct.pack_into("<12f", header, 280, 2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 2, 7)
+        header[344:348] = b"n+1\0"
+        self.path(name).write_bytes(bytes(header) + struct.pack("<24h", *range(24)))

@@ -1,21 +1,21 @@
 #!/usr/bin/python3
-"""`convert` and `info` on every format: round trips bit for bit, what is lost said, outputs whole or absent.
+"""`convert` and `info` on every format: round trips bit for bit, what is lost said.
 
     test_formats.py --authalic PROGRAM --fixtures FOLDER --data FOLDER
 
 Files are made here; what nibabel and wb_command make of ours is compared where they are installed.
 """
+import base64
 import gzip
 import os
 import pathlib
 import shutil
-import signal
 import struct
 import subprocess
 import time
 import unittest
 
-from command_line import ARGUMENTS, grid, main
+from command_line import ARGUMENTS, main
 from format_files import D_P_INVERSE, Formats, curv, white
 
 try:
@@ -133,19 +133,6 @@ class Spaces(Formats):
                                  (self.sheet, "unknown", "")):
             line = self.lines_of(name)["space"]
             self.assertTrue(line.startswith(space) and why in line, line)
-
-    def nifti(self, name, sform_code, qform_code, shift):
-        header = bytearray(352)
-        struct.pack_into("<i", header, 0, 348)
-        struct.pack_into("<8h", header, 40, 3, 2, 3, 4, 1, 1, 1, 1)
-        struct.pack_into("<hh", header, 70, 4, 16)
-        struct.pack_into("<4f", header, 76, 1, 2, 2, 2)
-        struct.pack_into("<f", header, 108, 352)
-        header[123] = 2
-        struct.pack_into("<hh6f", header, 252, qform_code, sform_code, 0, 0, 0, 5 + shift, 6, 7)
-        struct.pack_into("<12f", header, 280, 2, 0, 0, 5, 0, 2, 0, 6, 0, 0, 2, 7)
-        header[344:348] = b"n+1\0"
-        self.path(name).write_bytes(bytes(header) + struct.pack("<24h", *range(24)))
 
     def test_info_reports_sform_and_qform_that_disagree(self):
         for name, shift, warned in (("agree.nii", 0, False), ("differ.nii", 3, True)):
@@ -270,13 +257,89 @@ class Volumes(Formats):
                 np.testing.assert_allclose(ours.affine, affine, atol=2e-5)
 
     @needs_nibabel
-    def test_several_frames_need_a_choice(self):
-        voxels = np.arange(2 * 3 * 4 * 3, dtype="f4").reshape(2, 3, 4, 3)
-        nibabel.save(nibabel.Nifti1Image(voxels, np.diag([1, 2, 3, 1])), self.path("t.nii"))
-        self.assertIn("--frame 0 to 2", self.fails(2, "convert", "t.nii", "f.mgz"))
+    def test_every_type_and_scaling_comes_back_bit_for_bit_through_nifti(self):
+        random = np.random.default_rng(7)
+        for kind in ("u1", "i1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8"):
+            info = np.iinfo(kind) if kind[0] != "f" else None
+            voxels = random.integers(info.min, info.max, (3, 4, 5), kind, True) if info else \
+                random.normal(size=(3, 4, 5)).astype(kind)
+            for slope, inter in ((1, 0), (0.25, -3), (1 / 255, 7.5)) if info and info.bits <= 32 else ((1, 0),):
+                image = nibabel.Nifti1Image(voxels, np.diag([2, 3, 4, 1]), dtype=kind)
+                image.header.set_xyzt_units("mm", "sec")
+                image.header.set_slope_inter(slope, inter)
+                nibabel.save(image, self.path("k.nii"))
+                for name in ("l.nii", "l.nii.gz"):
+                    self.assertEqual(self.converts("k.nii", name), "", (kind, slope))
+                    ours = nibabel.load(self.path(name))
+                    self.assertEqual(ours.get_data_dtype(), np.dtype(kind), (kind, slope))
+                    np.testing.assert_array_equal(ours.dataobj.get_unscaled(), voxels)
+                    self.assertEqual((ours.dataobj.slope, ours.dataobj.inter), (np.float32(slope), np.float32(inter)))
+                said = self.converts("k.nii", "l.mgz")
+                theirs, back = (nibabel.load(self.path(name)).get_fdata() for name in ("k.nii", "l.mgz"))
+                self.assertEqual("Values are rounded" in said, not np.array_equal(theirs, back), (kind, slope, said))
+
+    @needs_nibabel
+    def test_every_frame_its_time_and_the_notes_of_the_header_are_kept(self):
+        voxels = np.arange(2 * 3 * 4 * 3, dtype="i2").reshape(2, 3, 4, 3)
+        image = nibabel.Nifti1Image(voxels, np.diag([1, 2, 3, 1]), None)
+        image.header["descrip"], image.header["cal_max"] = b"mine", 9
+        image.header.extensions.append(nibabel.nifti1.Nifti1Extension("comment", b"a word or two"))
+        image.header.set_xyzt_units("mm", "msec")
+        image.header["pixdim"][4] = 1500
+        nibabel.save(image, self.path("t.nii"))
+        for source, name in (("t.nii", "u.nii.gz"), ("u.nii.gz", "w.nii")):
+            self.assertEqual(self.converts(source, name), "")
+            ours = nibabel.load(self.path(name))
+            np.testing.assert_array_equal(np.asanyarray(ours.dataobj), voxels)
+            for field in ("descrip", "cal_max", "xyzt_units", "pixdim", "dim"):
+                np.testing.assert_array_equal(ours.header[field], image.header[field], field)
+            self.assertEqual(ours.header.extensions[0].get_content().rstrip(b"\0"), b"a word or two")
+        self.assertIn("description, display range, extensions", self.converts("t.nii", "f.mgz"))
+        ours = nibabel.load(self.path("f.mgz"))
+        np.testing.assert_array_equal(np.asanyarray(ours.dataobj), voxels)
+        self.assertEqual(ours.header["tr"], 1500)
+        self.converts("f.mgz", "g.nii")
+        self.assertEqual(nibabel.load(self.path("g.nii")).header.get_zooms()[3], 1.5)
         self.assertIn("2 other frames", self.converts("t.nii", "f.mgz", "--frame", "2"))
         np.testing.assert_array_equal(nibabel.load(self.path("f.mgz")).get_fdata(), voxels[..., 2])
         self.fails(5, "convert", "t.nii", "f.mgz", "--frame", "3")
+        self.assertIn("--frame 0 to 2", self.fails(2, "sample", "t.nii", "lh.white", "-o", "s.vtp"))
+        self.succeeds("sample", "t.nii", "lh.white", "-o", "s.vtp", "--frame", "1")
+
+    def test_tags_and_scan_parameters_of_mgh_are_kept_in_mgh_and_said_lost_elsewhere(self):
+        self.nifti("n.nii", 1, 0, 0)
+        self.succeeds("convert", "n.nii", "a.mgh", "-q")
+        notes = struct.pack(">5f", 2300, 0.5, 2.9, 900, 256) + struct.pack(">iq", 3, 12) + b"mri_convert\0"
+        whole = self.bytes("a.mgh")[:284 + 48] + notes
+        self.path("a.mgh").write_bytes(whole)
+        for name in ("b.mgz", "b.mgh"):
+            self.assertEqual(self.converts("a.mgh", name), "")
+        self.assertEqual(self.bytes("b.mgh"), whole)
+        self.assertEqual(gzip.decompress(self.bytes("b.mgz")), whole)
+        self.assertIn("scan parameters, tags", self.converts("a.mgh", "c.nii"))
+        self.assertAlmostEqual(struct.unpack_from("<f", self.bytes("c.nii"), 76 + 16)[0], 2.3, places=6)
+
+    def test_transforms_that_disagree_are_refused_with_the_option_that_resolves_it(self):
+        self.nifti("d.nii", 4, 1, 3)
+        self.nifti("near.nii", 4, 1, 0.5)
+        words = self.fails(2, "convert", "d.nii", "o.nii")
+        self.assertIn("--transform sform or --transform qform", words)
+        self.assertIn("3 mm", words)
+        for verb in (("sample", "d.nii", "lh.white", "-o", "o.vtp"), ("extract", "d.nii", "-o", "folder")):
+            self.assertIn("--transform", self.fails(2, *verb))
+        for choice, origin, code, other in (("sform", 5, 4, "qform"), ("qform", 8, 1, "sform")):
+            said = self.converts("d.nii", "o.nii", "--transform", choice)
+            self.assertIn(f"The {other}, which puts voxels up to 3 mm elsewhere, is not kept", said)
+            line = self.lines_of("o.nii")
+            self.assertIn(f"sform, code {code}", line["space"])
+            self.assertIn(f"NIfTI {choice}, code {code}", self.lines_of("d.nii", "--transform", choice)["space"])
+            self.assertEqual(struct.unpack_from("<f", self.bytes("o.nii"), 292)[0], origin)
+        self.assertIn("qform", self.converts("near.nii", "o.nii"))  # within half a voxel: said
+        self.nifti("only.nii", 4, 0, 0)
+        self.assertIn("qform", self.fails(5, "convert", "only.nii", "o2.nii", "--transform", "qform"))
+        self.succeeds("convert", "only.nii", "o.mgh", "-q")
+        self.assertIn("sform and qform", self.fails(5, "info", "o.mgh", "--transform", "qform"))
+        self.fails(2, "convert", "lh.white", "o2.vtp", "--transform", "qform")
 
     def test_kinds_that_do_not_become_each_other_are_refused(self):
         volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
@@ -332,80 +395,6 @@ class Oracles(Formats):
         np.testing.assert_allclose(ours, theirs - np.log2(new_sum / old_sum), atol=1e-4)
 
 
-class Whole(Formats):
-    """Outputs are there whole or not at all."""
-
-    def outputs(self):
-        volume = pathlib.Path(ARGUMENTS.fixtures) / "phantom_t1.nii.gz"
-        big = grid(self.path("big.off"), 60)
-        curv(self.path("lh.long"), [float(i % 2000) for i in range(3721)])
-        for name in ("o.vtp", "o.vtk", "o.surf.gii", "o.ply", "o.obj", "o.off", "o.stl", "o.mz3", "lh.o"):
-            yield big, name
-        for name in ("o.shape.gii", "o.label.gii", "o.annot", "o.w", "o.mgh", "o.mgz", "o.txt", "o.curv"):
-            yield "lh.long", name
-        for name in ("o.nii", "o.nii.gz", "o.mgz"):
-            yield volume, name
-
-    def test_a_full_disk_is_5_and_leaves_the_old_file(self):
-        for source, name in self.outputs():
-            self.path(name).write_bytes(b"old")
-            before = set(self.here.iterdir())
-            result = self.limited("convert", source, name, "-q", setup="trap '' XFSZ; ulimit -f 1;")
-            self.assertEqual(result.returncode, 5, (name, result.stderr))
-            self.assertIn("cannot be", result.stderr)
-            self.assertEqual(self.bytes(name), b"old", name)
-            self.assertEqual(set(self.here.iterdir()), before, name)
-            self.path(name).unlink()
-
-    @unittest.skipUnless(os.geteuid() == 0, "only root can mount a small disk")
-    def test_a_disk_that_is_full_is_5_and_leaves_nothing(self):
-        disk = self.path("disk")
-        disk.mkdir()
-        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", disk], capture_output=True).returncode:
-            self.skipTest("a file system cannot be mounted here")
-        try:
-            for source, name in self.outputs():
-                result = self.run_verb("convert", source, disk / name, "-q")
-                if result.returncode == 0:  # small enough
-                    self.assertEqual(self.run_verb("info", disk / name).returncode in (0, 5), True)
-                    (disk / name).unlink()
-                    continue
-                self.assertEqual(result.returncode, 5, (name, result.stderr))
-                self.assertEqual(list(disk.iterdir()), [], name)
-        finally:
-            subprocess.run(["umount", disk], check=True)
-
-    @unittest.skipIf(os.geteuid() == 0 and not shutil.which("setpriv"), "root may write anywhere")
-    def test_a_folder_that_is_read_only_is_5(self):
-        closed = self.path("closed")
-        closed.mkdir()
-        for path in (self.here, *self.here.iterdir()):
-            path.chmod(0o755 if path.is_dir() else 0o644)
-        closed.chmod(0o555)
-        word = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
-        result = subprocess.run([*word, ARGUMENTS.authalic, "convert", "lh.white", "closed/o.vtp"], cwd=self.here,
-                                capture_output=True, text=True)
-        self.assertEqual(result.returncode, 5, result.stderr)
-        self.assertEqual(list(closed.iterdir()), [])
-
-    def test_killed_in_the_middle_the_old_file_is_there_or_the_new(self):
-        big = grid(self.path("big.off"), 300)
-        self.succeeds("convert", big, "whole.surf.gii")
-        new = self.bytes("whole.surf.gii")
-        seen = set()
-        for attempt in range(12):
-            self.path("o.surf.gii").write_bytes(b"old")
-            process = subprocess.Popen([ARGUMENTS.authalic, "convert", big, "o.surf.gii"], cwd=self.here,
-                                       stderr=subprocess.DEVNULL)
-            time.sleep(0.04 * attempt)
-            process.send_signal(signal.SIGKILL)
-            process.wait()
-            content = self.bytes("o.surf.gii")
-            self.assertIn(content, (b"old", new))
-            seen.add(content == new)
-        self.assertIn(False, seen)
-
-
 class Hostile(Formats):
     def test_a_kilobyte_that_claims_a_cube_of_32767_is_refused_without_the_memory(self):
         mgh = struct.pack(">6i", 1, 32767, 32767, 32767, 1, 3).ljust(1024, b"\0")
@@ -426,6 +415,73 @@ class Hostile(Formats):
             self.assertEqual(result.returncode, 5, (name, result.stderr))
             self.assertEqual(len(result.stderr.splitlines()), 1)
             self.assertLess(time.monotonic() - begin, 5, "0.1 s on an idle machine")
+
+
+    def test_a_vtp_whose_arrays_claim_gigabytes_is_refused_without_the_memory(self):
+        self.succeeds("convert", "lh.white", "s.vtp", "-q")
+        whole = self.bytes("s.vtp")
+        data = whole.index(b"_", whole.index(b"<AppendedData")) + 1
+        offsets = [int(part.split(b'"')[1]) for part in whole[:data].split(b" offset=")[1:]]
+        claims = ((2**31, 32768, 0), (2**20, 2**31, 1), (2**32 - 1,) * 3, (1, 32768, 8, 2**32 - 4))
+        refused = 0
+        for offset in offsets:
+            for claim in claims:
+                at, words = data + offset, base64.b64encode(struct.pack(f"<{len(claim)}I", *claim)).rstrip(b"=")
+                self.path("c.vtp").write_bytes(whole[:at] + words + whole[at + len(words):])
+                result = self.limited("info", "c.vtp", setup="ulimit -v 2000000;")
+                self.assertIn(result.returncode, (0, 5), (offset, claim, result.stderr))  # 0: an array of no cells
+                self.assertEqual(len(result.stderr.splitlines()), 1 if result.returncode else 0, result.stderr)
+                refused += result.returncode == 5
+        self.assertGreaterEqual(refused, 4 * len(claims))  # points, offsets, corners, a text
+
+    def test_names_of_any_kind_are_read_and_written_and_what_is_no_file_is_refused_in_words(self):
+        for name in ("with blank.vtp", "größe ☃.surf.gii", "no-ending", "-dash.vtp", "a\nb.ply", "two..dots.off",
+                     "UP.VTP", "x" * 200 + ".obj"):
+            path = "./" + name if name.startswith("-") else name
+            self.succeeds("convert", "lh.white", path, "-q")
+            self.assertIn("81", self.lines_of(path)["vertices"], name)
+        self.path("folder.vtp").mkdir()
+        self.path("empty.vtp").write_bytes(b"")
+        self.path("loop.vtp").symlink_to("loop.vtp")
+        self.path("gone.vtp").symlink_to("nowhere.vtp")
+        os.mkfifo(self.path("fifo.vtp"))
+        for name in ("folder.vtp", "empty.vtp", "loop.vtp", "gone.vtp", "fifo.vtp", "missing.vtp", "lh.white/x.vtp",
+                     "x" * 300 + ".vtp", "/dev/null", "/dev/zero", "/proc/self/mem"):
+            for words in (("info", name), ("convert", name, "o.vtp"), ("repair", name, "o.vtp"),
+                          ("map", "tutte", name, "-o", "o.vtp"), ("convert", "lh.white", "o.vtp", "--data", name)):
+                self.fails(5, *words)
+        for name in ("folder.vtp", "loop.vtp", "fifo.vtp", "lh.white/x.vtp", "x" * 300 + ".vtp", "/dev/null"):
+            self.fails(5, "convert", "lh.white", name)
+        self.succeeds("convert", "lh.white", "gone.vtp", "-q")  # through the link
+        self.assertTrue(self.path("gone.vtp").is_symlink() and self.path("nowhere.vtp").is_file())
+
+    def test_coordinates_that_are_no_numbers_and_surfaces_without_faces_are_refused_by_every_reader(self):
+        for value in (float("nan"), float("inf")):
+            data = bytearray(self.bytes("lh.white"))
+            struct.pack_into(">f", data, data.index(b"\n\n") + 10 + 12 * 7, value)
+            self.path("lh.bad").write_bytes(bytes(data))
+            for words in (("info", "lh.bad"), ("repair", "lh.bad", "o.vtp"), ("map", "tutte", "lh.bad", "-o", "o.vtp"),
+                          *(("convert", "lh.bad", name) for name in ("o.surf.gii", "o.ply", "o.stl", "o.mz3", "lh.o"))):
+                self.assertIn("vertex 7", self.fails(3, *words))
+        self.path("none.off").write_text("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")
+        for words in (("repair", "none.off", "o.vtp"), ("map", "tutte", "none.off", "-o", "o.vtp")):
+            self.assertRegex(self.fails(3, *words), "face|triangle")
+
+    def test_mz3_is_repaired_and_its_dry_run_writes_nothing(self):
+        white(self.path("plain.white"), geometry="")
+        self.converts("plain.white", "s.mz3", "--data", "lh.thickness")
+        result = self.run_verb("repair", "s.mz3", "--dry-run")
+        self.assertEqual((result.returncode, "nothing to repair" in result.stderr), (0, True), result.stderr)
+        data = bytearray(gzip.decompress(self.bytes("s.mz3")))
+        faces = 16 + 12 * 5
+        data[faces:faces + 8] = data[faces + 4:faces + 8] + data[faces:faces + 4]  # turned
+        self.path("t.mz3").write_bytes(bytes(data))
+        before = set(self.here.iterdir())
+        result = self.run_verb("repair", "t.mz3", "--dry-run")
+        self.assertIn("would be: 1 face turned round", result.stderr)
+        self.assertEqual(set(self.here.iterdir()), before)
+        self.succeeds("repair", "t.mz3", "r.mz3")
+        self.assertIn("nothing to repair", self.run_verb("repair", "r.mz3", "--dry-run").stderr)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -18,6 +19,7 @@
 #include "Formats/Gifti.h"
 #include "Formats/Morphometry.h"
 #include "Formats/Mz3.h"
+#include "Formats/StoredVolume.h"
 #include "Formats/SurfaceFile.h"
 #include "Formats/VolumeFile.h"
 #include "support/TestMeshes.h"
@@ -64,6 +66,10 @@ inline void readConsistentVolume(const std::string& path) {
   require(scalars.values.size() == static_cast<std::size_t>(d[0]) * d[1] * d[2], "wrong number of voxels");
   require(scalars.values.size() < 100000, "voxels from nowhere");
   require(file.voxelToWorld().allFinite() && std::abs(file.voxelToWorld().determinant()) > 0, "affine");
+  const StoredVolume stored = readStoredVolume(path, {0, true, true, VolumeTransform::Automatic});
+  const std::size_t all = scalars.values.size() * static_cast<std::size_t>(stored.framesHeld);
+  require(stored.bytes.size() == all * static_cast<std::size_t>(voxelSize(stored.type)), "wrong number of bytes");
+  require(stored.framesHeld == file.frames, "frames");
 }
 
 /// Two maps on a surface of ten vertices, of which four have values.
@@ -174,6 +180,43 @@ inline void writeOldAnnot(const std::string& path) {
   writeBytesOf(path, bytes);
 }
 
+/// A tetrahedron as GIFTI without compression, so that altered bytes are altered numbers.
+inline void writePlainGifti(const std::string& path, bool base64) {
+  const std::string encoding = base64 ? "Base64Binary" : "ASCII";
+  const auto array = [&](const char* intent, const char* type, const char* data) {
+    return "<DataArray Intent=\"NIFTI_INTENT_" + std::string(intent) + "\" DataType=\"NIFTI_TYPE_" + type +
+           "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"2\" Dim0=\"4\" Dim1=\"3\" Encoding=\"" + encoding +
+           "\" Endian=\"LittleEndian\"><Data>" + data + "</Data></DataArray>";
+  };
+  const char* points = base64 ? "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAIA/"
+                              : "0 0 0  1 0 0  0 1 0  0 0 1";
+  const char* faces = base64 ? "AAAAAAIAAAABAAAAAAAAAAEAAAADAAAAAQAAAAIAAAADAAAAAAAAAAMAAAACAAAA"
+                             : "0 2 1  0 1 3  1 2 3  0 3 2";
+  std::ofstream(path) << "<?xml version=\"1.0\"?><GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">"
+                      << array("POINTSET", "FLOAT32", points) << array("TRIANGLE", "INT32", faces) << "</GIFTI>";
+}
+
+/// A NIfTI-2 volume of eight voxels with a qform and an extension.
+inline void writeNifti2(const std::string& path) {
+  std::vector<std::uint8_t> bytes(576, 0);
+  const auto put = [&bytes](std::size_t at, auto number) { std::memcpy(bytes.data() + at, &number, sizeof(number)); };
+  put(0, std::int32_t{540});
+  std::memcpy(bytes.data() + 4, "n+2\0\r\n\x1A\n", 8);
+  put(12, std::int16_t{4});
+  put(14, std::int16_t{16});
+  for (std::size_t axis = 0; axis < 8; ++axis) {
+    put(16 + 8 * axis, std::int64_t{axis == 0 ? 3 : axis < 4 ? 2 : 1});
+    put(104 + 8 * axis, 1.0);
+  }
+  put(168, std::int64_t{576});
+  put(344, std::int32_t{1});
+  put(540, std::int32_t{1});
+  put(544, std::int32_t{32});
+  put(548, std::int32_t{6});
+  bytes.resize(576 + 16, 1);
+  writeBytesOf(path, bytes);
+}
+
 inline std::vector<HostileCase> olderCases() {
   const auto scalars = [](const std::string& path) { require(!readVertexScalars(path).empty(), "no values"); };
   return {
@@ -196,12 +239,15 @@ inline std::vector<HostileCase> olderCases() {
                                 "8</Data></DataArray></GIFTI>";
        },
        [](const auto& path) { require(!readVertexScalars(path, 42).empty(), "no values"); }},
+      {"s.ascii.gii", [](const auto& path) { writePlainGifti(path, false); }, readConsistentSurface},
+      {"s.base64.gii", [](const auto& path) { writePlainGifti(path, true); }, readConsistentSurface},
       {"v.hdr",  // a header without voxels, and the voxels in the same bytes
        [](const auto& path) {
          writeVolume(path + ".nii", ScalarVolume({2, 2, 2}, Eigen::Matrix4d::Identity(), 1));
          std::filesystem::rename(path + ".nii", path);
        },
        readConsistentVolume},
+      {"v.nifti2.nii", writeNifti2, readConsistentVolume},
       {"v.mgz", [](const auto& path) { writeVolume(path, LabelVolume({3, 4, 5}, Eigen::Matrix4d::Identity(), 7)); },
        readConsistentVolume},
   };
@@ -283,6 +329,9 @@ inline std::vector<HostileCase> cases() {
        }},
   };
 }
+
+/// Whether these are the bytes of a gzip file: what is inside is then altered too, and packed again.
+inline bool isPacked(const std::string& bytes) { return bytes.rfind("\x1F\x8B", 0) == 0; }
 
 inline const std::vector<HostileCase>& allHostileCases() {
   static const std::vector<HostileCase> all = [] {

@@ -67,17 +67,19 @@ class Samples(NamedTuple):
     coverage: np.ndarray
 
 
-def read_volume(path: Path, frame: int = 0) -> Volume:
+def read_volume(path: Path, frame: int = 0, transform: str = "automatic") -> Volume:
     """Reads a NIfTI (.nii, .nii.gz, .hdr/.img) or MGH (.mgh, .mgz) volume.
 
-    frame  of a file of more than three dimensions, from 0
+    frame      of a file of more than three dimensions, from 0; fields["Frames"] counts them
+    transform  of a NIfTI file: "sform", "qform", or "automatic": the sform if its code is above 0, else the qform;
+               fields["TransformDisagreement"] is how many mm apart they put the farthest corner, where they differ
 
     Whole numbers stay int, else float with slope and intercept applied. fields["CoordinateSpace"] is
     "scanner-ras", or "unknown" when the file does not orient itself. Raises FormatError.
     """
     reader = _classes.vtkVolumeFileReader()
     reader.SetFileName(os.fspath(path))
-    _filters.configure(reader, frame=frame)
+    _filters.configure(reader, frame=frame, transform=transform)
     _filters.warn(_filters.run(reader)[1])
     return Volume.from_vtk(reader.GetOutput())
 
@@ -87,20 +89,31 @@ def write_volume(path: Path, volume: Any) -> list[str]:
 
     volume  Volume or vtkImageData, scanner RAS mm; one that says that its space is unknown is refused
 
-    Values become 32-bit integers or floats. Returns what the format had no room for, one sentence each. Raises
-    FormatError, InvalidArgument.
+    Values get the narrowest type that gives each back exactly (fields["StoredType"] when that does). Returns what the
+    format had no room for, one sentence each. Raises FormatError, InvalidArgument.
     """
     return write_with(_classes.vtkVolumeFileWriter(), path, _image(volume))
 
 
 def _image(volume: Any) -> Any:
     if isinstance(volume, (str, os.PathLike)):
-        volume = read_volume(volume)
+        volume = _only_what_is_clear(read_volume(volume), os.fspath(volume))
     if hasattr(volume, "to_vtk"):
         return volume.to_vtk()
     if hasattr(volume, "GetDirectionMatrix"):
         return volume
     raise InvalidArgument("A volume is needed: a Volume, a vtkImageData, or the path of a file.")
+
+
+def _only_what_is_clear(volume, path):
+    apart = volume.fields.get("TransformDisagreement", 0.0)
+    if apart > 0.5 * np.linalg.norm(volume.affine[:3, :3], axis=0).min():
+        raise InvalidArgument(f"{path}: one place is required, but the sform and the qform put voxels up to {apart:g} "
+                              "mm apart, over half a voxel; read it first with transform='sform' or transform='qform'.")
+    if volume.fields.get("Frames", 1) > 1:
+        raise InvalidArgument(f"{path}: a volume of one frame is required, but it has {volume.fields['Frames']}; "
+                              "read it first with frame=...")
+    return volume
 
 
 def sample_volume(surface: Any,
