@@ -35,6 +35,43 @@ void expectExact(const DiskMesh& disk, const AuthalicMapResult& result, const Ei
   EXPECT_EQ(summary.flippedFaces, 0);
 }
 
+// A flat disk that grows `fans` times over a boundary vertex: five faces around it, of which the second and the
+// fourth differ in area and carry ears that do not. With both tips in the middle of their arcs, the ears' areas fix
+// the ratio of the chords, and with it that of the two faces, which stand on nearly one line: no such image is exact.
+TriangleMesh diskWithFansOfEars(int fans, double ratio) {
+  const TriangleMesh disk = diskMesh(20);
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Eigen::RowVector3i> faces;
+  for (int v = 0; v < disk.vertexCount(); ++v) points.push_back(disk.point(v));
+  for (int f = 0; f < disk.faceCount(); ++f) faces.push_back(disk.faces().row(f));
+  const auto add = [&](const Eigen::Vector3d& p) { return points.push_back(p), static_cast<int>(points.size()) - 1; };
+  const std::vector<int> loop = DiskMesh(disk).boundary();
+  for (int fan = 0; fan < fans; ++fan) {
+    const std::size_t at = loop.size() / static_cast<std::size_t>(fans) * static_cast<std::size_t>(fan);
+    const int first = loop[at], hub = loop[at + 1], last = loop[at + 2];
+    const double from = std::atan2(points[static_cast<std::size_t>(first)][1],
+                                   points[static_cast<std::size_t>(first)][0]),
+                 step = 4 * M_PI / double(loop.size()) / 10;
+    std::vector<int> rim{first};
+    for (const double part : {1.0, 1.0 + 6 / (1 + ratio), 3.0 + 6 / (1 + ratio), 9.0}) {
+      rim.push_back(add(1.05 * Eigen::Vector3d(std::cos(from + part * step), std::sin(from + part * step), 0)));
+    }
+    rim.push_back(last);
+    for (std::size_t k = 0; k + 1 < rim.size(); ++k) faces.emplace_back(hub, rim[k], rim[k + 1]);
+    for (const std::size_t k : {std::size_t(1), std::size_t(3)}) {
+      const Eigen::Vector3d a = points[static_cast<std::size_t>(rim[k])],
+                            b = points[static_cast<std::size_t>(rim[k + 1])],
+                            out(b[1] - a[1], a[0] - b[0], 0);
+      faces.emplace_back(rim[k + 1], rim[k], add(0.5 * (a + b) + 2e-5 / out.squaredNorm() * out));
+    }
+  }
+  Points3 allPoints(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t v = 0; v < points.size(); ++v) allPoints.row(static_cast<Eigen::Index>(v)) = points[v];
+  Faces allFaces(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) allFaces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return TriangleMesh(allPoints, allFaces);
+}
+
 Points2 hexagon() {
   Points2 corners(6, 2);
   for (int k = 0; k < 6; ++k) corners.row(k) << std::cos(k * M_PI / 3), std::sin(k * M_PI / 3);
@@ -67,6 +104,13 @@ TEST(AuthalicMap, IsExactAtEveryVertexOfEveryDomain) {
 TEST(AuthalicMap, IsExactOnRoughMeshes) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const DiskMesh disk(roughDisk(12, seed));
+    expectExact(disk, solve(disk));
+  }
+}
+
+TEST(AuthalicMap, LetsTipsOfEarsLeaveTheMiddleWhereTheirNeighboursNeedIt) {
+  for (const double ratio : {1.5, 2.0}) {
+    const DiskMesh disk(diskWithFansOfEars(3, ratio));
     expectExact(disk, solve(disk));
   }
 }

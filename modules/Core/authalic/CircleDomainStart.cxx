@@ -28,17 +28,6 @@ constexpr double kTight = 0.95;     // of the room around a hole
 constexpr double kNear = 0.1;       // residual of the faces on the rectangle
 constexpr double kWithinSight = 0.5;  // mean |ln r| of the stars: a conformal start is good enough
 
-double coneArea(const TriangleMesh& mesh, const std::vector<int>& loop) {
-  Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-  for (const int v : loop) tip += mesh.point(v) / static_cast<double>(loop.size());
-  double area = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Eigen::Vector3d a = mesh.point(loop[i]) - tip, b = mesh.point(loop[(i + 1) % loop.size()]) - tip;
-    area += 0.5 * a.cross(b).norm();
-  }
-  return area;
-}
-
 // The start before holes have their areas.
 struct ConformalStart {
   Status status = Status::NotRun;
@@ -167,7 +156,7 @@ Points2 stretched(const PolyAnnulusMesh& surface, const TargetMeasure& target, c
 std::vector<double> areasOfHoles(const PolyAnnulusMesh& surface, const std::vector<double>& asked, int outer) {
   std::vector<double> areas = asked;
   for (std::size_t k = 0; k < surface.loops().size() && asked.empty(); ++k) {
-    if (static_cast<int>(k) != outer) areas.push_back(coneArea(surface.mesh(), surface.loops()[k]));
+    if (static_cast<int>(k) != outer) areas.push_back(loopConeArea(surface.mesh(), surface.loops()[k]));
   }
   return areas;
 }
