@@ -1,7 +1,9 @@
 #include "Core/conformal/ConePlacement.h"
 
 #include <cmath>
+#include <string>
 
+#include "Core/base/Error.h"
 #include "Core/conformal/YamabeFlow.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/Laplacian.h"
@@ -20,28 +22,25 @@ constexpr int kMostPairs = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Vertices where no (further) cone may stand.
+// Where further cones may stand: not within two edges of each other, while there are other places.
 class Room {
  public:
-  Room(const Faces& faces, int vertexCount) : faces_(faces), valence_(at(vertexCount), 0), taken_(at(vertexCount), 0) {
+  Room(const Faces& faces, int vertexCount)
+      : faces_(faces), valence_(at(vertexCount), 0), taken_(at(vertexCount), 0), cones_(at(vertexCount), 0) {
     for (Eigen::Index c = 0; c < faces.size(); ++c) ++valence_[at(faces.data()[c])];
   }
 
   // The free vertex with the largest value, less a little for every face that it has too few or too many.
   [[nodiscard]] int best(const Eigen::VectorXd& values, int faces) const {
-    int best = -1;
-    double most = 0;
-    for (int v = 0; v < static_cast<int>(taken_.size()); ++v) {
-      const double value = values[v] - kPerFace * std::abs(valence_[at(v)] - faces);
-      if (taken_[at(v)] || valence_[at(v)] < 3 || (best >= 0 && value <= most)) continue;
-      best = v;
-      most = value;
-    }
-    if (best < 0) values.maxCoeff(&best);
-    return best;
+    int best = bestOutside(taken_, values, faces);
+    if (best < 0) best = bestOutside(cones_, values, faces);
+    if (best >= 0) return best;
+    throw GeometryError("A surface with room for the cones of its genus is required, but all " +
+                        std::to_string(cones_.size()) + " vertices are taken; refine the surface.");
   }
 
   void take(int vertex) {
+    cones_[at(vertex)] = 1;
     std::vector<char> ring(taken_.size(), 0);
     ring[at(vertex)] = 1;
     for (int step = 0; step < 2; ++step) {
@@ -55,9 +54,21 @@ class Room {
   }
 
  private:
+  [[nodiscard]] int bestOutside(const std::vector<char>& taken, const Eigen::VectorXd& values, int faces) const {
+    int best = -1;
+    double most = 0;
+    for (int v = 0; v < static_cast<int>(taken.size()); ++v) {
+      const double value = values[v] - kPerFace * std::abs(valence_[at(v)] - faces);
+      if (taken[at(v)] || valence_[at(v)] < 3 || (best >= 0 && value <= most)) continue;
+      best = v;
+      most = value;
+    }
+    return best;
+  }
+
   const Faces& faces_;
   std::vector<int> valence_;
-  std::vector<char> taken_;
+  std::vector<char> taken_, cones_;
 };
 
 class Placement {
