@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Core/authalic/LieFlowStages.h"
+#include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricSystem.h"
 
@@ -87,7 +88,12 @@ Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& m
   for (int round = 0; round < kRounds && error > goodEnough; ++round) {
     if (round > 0 && execution.cancelled()) break;
     execution.report(double(round) / kRounds, "Balancing the start");
-    map.solve(weights, current);
+    try {
+      map.solve(weights, current);
+    } catch (const SolverError&) {
+      if (round == 0) throw;
+      break;  // weights too far apart for the solver
+    }
     const Eigen::VectorXd areas = map.areas(current);
     const Eigen::VectorXd stars = vertexStars(areas, faces, static_cast<int>(image.rows()));
     const double distortion = areaDistortion(areas, target.faces());
