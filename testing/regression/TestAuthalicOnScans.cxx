@@ -2,7 +2,9 @@
 
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
+#include "Core/authalic/StretchEnergyMap.h"
 #include "Core/distortion/SphericalDistortion.h"
+#include "Core/initial/BarycentricMap.h"
 #include "Formats/SurfaceFile.h"
 #include "support/OffFile.h"
 #include "support/SharedData.h"
@@ -27,6 +29,34 @@ TEST_P(AuthalicOnScansSlow, IsExactAtVerticesAndNearlySoOnFaces) {
   EXPECT_LT(summary.areaDistortion, 2 + 1e-4);
   EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
   EXPECT_LT(summary.faceMeanAbsLog, 5e-3);
+}
+
+TEST_P(AuthalicOnScansSlow, ReachesATenthOfTheToleranceToo) {
+  const std::string path = sharedData(std::string("meshes/open_disk/") + GetParam() + ".off");
+  AUTHALIC_NEEDS(path);
+  const DiskMesh disk(readOff(path));
+  AuthalicMapOptions options;
+  options.tolerance = 1e-3;
+  const AuthalicMapResult result = authalicMap(disk, TargetMeasure(disk.mesh()), options);
+  EXPECT_EQ(result.status, Status::Converged) << result.faceResidual << ' ' << result.vertexResidual;
+  const DistortionSummary summary = measureDistortion(disk.mesh(), result.image).summary;
+  EXPECT_EQ(summary.flippedFaces, 0);
+  EXPECT_LT(summary.areaDistortion, 2 + 1e-5);
+  EXPECT_LT(summary.vertexMaxAbsLog, 1e-9);
+  EXPECT_LT(summary.faceMeanAbsLog, 2e-3);
+}
+
+// Exact areas must not be bought with angles.
+TEST_P(AuthalicOnScansSlow, KeepsTheAnglesOfTheFixedPointOfTheStretchEnergy) {
+  const std::string path = sharedData(std::string("meshes/open_disk/") + GetParam() + ".off");
+  AUTHALIC_NEEDS(path);
+  const DiskMesh disk(readOff(path));
+  const TargetMeasure target(disk.mesh());
+  BarycentricMapOptions harmonic;
+  harmonic.weights = BarycentricWeights::Harmonic;
+  const Points2 fixedPoint = stretchEnergyMap(disk, barycentricMap(disk, harmonic).image, target).image;
+  EXPECT_LE(measureDistortion(disk.mesh(), authalicMap(disk, target).image).summary.meanAngleError,
+            1.03 * measureDistortion(disk.mesh(), fixedPoint).summary.meanAngleError);
 }
 
 TEST(AuthalicOnScans, KeepsStarsExactOnACortexWithFacesWithoutArea) {
