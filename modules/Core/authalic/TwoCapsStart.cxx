@@ -195,19 +195,28 @@ Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& i
   return unfoldOnSphere(sphere, std::move(start)).image;
 }
 
+// A third of a turn about (1, 1, 1): another axis points north.
+Points3 turned(const Points3& image) {
+  Points3 result(image.rows(), 3);
+  result << image.col(1), image.col(2), image.col(0);
+  return result;
+}
+
 }  // namespace
 
 Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target, SolverBackend backend,
                      double goodEnough, const Execution& execution) {
-  Points3 best;
+  Points3 best, guide = image;
   int fewest = std::numeric_limits<int>::max();
-  for (const double height : kHeights) {
-    Points3 start = startDividedAt(height, sphere, image, target, backend, goodEnough, execution);
-    const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
-    if (folded >= fewest) continue;
-    fewest = folded;
-    best = std::move(start);
-    if (folded == 0 || execution.cancelled()) break;
+  for (int axis = 0; axis < 3; ++axis, guide = turned(guide)) {
+    for (const double height : kHeights) {
+      Points3 start = startDividedAt(height, sphere, guide, target, backend, goodEnough, execution);
+      const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
+      if (folded >= fewest) continue;
+      fewest = folded;
+      best = std::move(start);
+      if (folded == 0 || execution.cancelled()) return best;
+    }
   }
   return best;
 }
