@@ -15,7 +15,6 @@ namespace authalic {
 namespace {
 
 constexpr int kRounds = 15;
-constexpr double kCollapsed = -4.6;    // ln of 1e-2
 constexpr double kLargestLog = 30;     // of a ratio in one round, so that collapsed faces keep finite weights
 
 // ln of (share of x / share of target), clamped; 0 where the target is.
@@ -121,17 +120,17 @@ Points2 balancedPeriodicStart(const SurfaceTopology& topology, const Points2& im
 }
 
 Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
-                             SolverBackend backend) {
+                             SolverBackend backend, double collapsed) {
   Points2 result = image;
   for (const int rings : {3, 6, 12}) {
     const Eigen::VectorXd logs = logRatios(signedFaceAreas(result, disk.mesh().faces()), target.faces());
-    std::vector<char> collapsed(static_cast<std::size_t>(disk.mesh().vertexCount()), 0);
+    std::vector<char> corners(static_cast<std::size_t>(disk.mesh().vertexCount()), 0);
     for (Eigen::Index f = 0; f < logs.size(); ++f) {
-      if (logs[f] > kCollapsed) continue;
-      for (int k = 0; k < 3; ++k) collapsed[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
+      if (logs[f] > std::log(collapsed)) continue;
+      for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
     }
-    if (std::find(collapsed.begin(), collapsed.end(), 1) == collapsed.end()) return result;
-    const std::vector<char> held = heldAround(disk, collapsed, rings);
+    if (std::find(corners.begin(), corners.end(), 1) == corners.end()) return result;
+    const std::vector<char> held = heldAround(disk, corners, rings);
     result = balancedStart(disk.topology(), planar(disk.mesh().faces(), held, {}, backend), result, target, 0, {});
   }
   return result;

@@ -56,6 +56,6 @@ struct BarycentricImage {
 
 /// The same within small patches around the faces that have collapsed (less than 1e-2 of their share), the rest held.
 [[nodiscard]] Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
-                                           SolverBackend backend);
+                                           SolverBackend backend, double collapsed = 1e-2);
 
 }  // namespace authalic

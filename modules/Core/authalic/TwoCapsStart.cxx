@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array<double, 7> kHeights{0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35};  // where the sphere is divided
 constexpr int kRoundsWithEars = 20;
+constexpr double kCollapsed = 1e-4;    // share of its target from where a face does not open by itself
 constexpr double kWellInSight = 0.5;  // of what is good enough, for a start that gets better with every round
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -161,7 +162,7 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   const StretchStart stretched =
       stretchStart(disk, plain, own, backend, kWellInSight * goodEnough, execution.part(0, 0.5));
   half.image = stretched.usable(goodEnough, disk.mesh().faceCount())
-                   ? stretched.image
+                   ? reviveCollapsedFaces(disk, stretched.image, own, backend, kCollapsed)
                    : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 1));
   return half;
 }
