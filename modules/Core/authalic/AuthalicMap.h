@@ -55,12 +55,14 @@ struct AuthalicMapResult : AuthalicSolution {
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 ///    target m, together with the Dirichlet energy of the map at a weight that falls to nothing: of the many
 ///    area-preserving maps one with good angles. Inner vertices move freely, those of the boundary along it.
-/// 3. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
+/// 3. *Steps on the stars*: at most three face steps that obey the linearised equations of the stars, see
+///    StarConstraint, so that the vertex steps hardly move a face.
+/// 4. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
 ///    step of Lie advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them
 ///    reach 1e-12.
 ///
 /// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on
-/// to half the residual; at most 5 rounds. What does not converge from the fixed point is tried again from the
+/// to half the residual; at most 8 rounds. What does not converge from the fixed point is tried again from the
 /// reweighted Tutte map, on areas alone. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
 /// that exact faces are within reach only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
 ///
