@@ -23,7 +23,8 @@ constexpr double kNear = 0.9, kNearEnough = 0.95;
 constexpr double kMeanLog = 5e-3, kMeanLogWithShapesFirst = 8e-3;
 
 constexpr int kMostStepsOnStars = 3;      // of one round
-constexpr double kVerticesDisturb = 2;    // faces that are within the tolerance: stars farther than this many of it
+// Stars farther than this many tolerances ask for a step on the stars, or, after one, farther than the second.
+constexpr double kVerticesDisturb = 2, kVerticesStillDisturb = 5;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -40,14 +41,16 @@ class AreaSolver {
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
     double goal = options_.tolerance;
-    bool reached = false;
+    bool reached = vertices_.residual(image) <= options_.vertexTolerance;
+    if (reached) keepIfBetter(image);
     for (int round = 0; round < kRounds && !ended(); ++round) {
       const bool moved = faceSteps(goal, image);
-      stepsOnStars(image);
       Coordinates exact = image;
+      stepsOnStars(exact);
       reached = vertexSteps(exact);
       goal *= reached ? std::clamp(kNear / farness(exact, faces_.residual(exact)), 0.4, kNear) : 0.5;
       if (reached) keepIfBetter(image = exact);
+      if (converged_ && !reached) break;
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
@@ -106,8 +109,8 @@ class AreaSolver {
   void stepsOnStars(Coordinates& image) {
     const double begun = now();
     for (int k = 0; k < kMostStepsOnStars && !ended(); ++k) {
-      if (stars_.residual(image) <= kVerticesDisturb * options_.tolerance) break;
-      const double residual = faces_.residual(image), step = faces_.advanceOnStars(stars_, image);
+      if (stars_.residual(image) <= (k == 0 ? kVerticesDisturb : kVerticesStillDisturb) * options_.tolerance) break;
+      const double residual = faces_.residual(image), step = faces_.advanceOnStars(stars_, options_.tolerance, image);
       if (step == 0) break;
       tell({residual, step, false}, "Matching faces and vertices");
     }

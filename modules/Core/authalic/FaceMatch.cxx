@@ -14,6 +14,7 @@ constexpr double kMarginToFlip = 0.9;
 constexpr double kShorter = 0.7;          // than the step before, where that did not lower the objective
 constexpr int kAttempts = 24;             // at a step
 constexpr double kNearerStars = 0.5;      // by this factor at least, in one step
+constexpr double kAstray = 2;             // times what faces are, or may be, after such a step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
 constexpr double kEndPull = 1e-3;         // of the usual one
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
@@ -191,16 +192,16 @@ double FaceMatch::advance(Coordinates& image) {
   return 0;
 }
 
-double FaceMatch::advanceOnStars(StarConstraint& stars, Coordinates& image) {
+double FaceMatch::advanceOnStars(StarConstraint& stars, double tolerance, Coordinates& image) {
   linearise(image);
   stars.linearise(areas_.areas(image), gradients_, weights_);
-  const double before = stars.residual(image);
+  const double before = stars.residual(image), astray = kAstray * std::max(residual(image), tolerance);
   for (;; dampingOnStars_ *= 10) {
     factorise(dampingOnStars_);
     const Coordinates wanted = areas_.displacement(frames_, stars.solve(solver_, right_));
     const double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, wanted));
     Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
-    if (stars.residual(next) < kNearerStars * before) {
+    if (stars.residual(next) < kNearerStars * before && residual(next) <= astray) {
       image = std::move(next);
       return part;
     }

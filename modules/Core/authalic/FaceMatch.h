@@ -22,8 +22,8 @@ enum class Shapes {
 ///
 ///     Φ = ½ S Σ_t ω_t m_t (r_t + 1/r_t − 2) + τ E(x),   S = Σ a,
 ///
-/// with the importance ω of faces and the Dirichlet energy E of the map, see ShapeEnergy, for τ that falls from step to
-/// step. One step solves (Levenberg–Marquardt)
+/// with the importance ω of faces and the Dirichlet energy E of the map, see ShapeEnergy, for τ that falls from
+/// step to step. One step solves (Levenberg–Marquardt)
 ///
 ///     min_δ ½ Σ_t ω_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + τ E(x + δ) + ½ ε Σ_{edges ij} |δ_i − δ_j|²
 ///
@@ -42,10 +42,12 @@ class FaceMatch {
   /// @return the part of δ taken, in (0, 1]; 0 when none lowered Φ
   double advance(Coordinates& image);
 
-  /// The same step among those that bring the stars to their targets, J δ = e, without a search for a part that lowers
-  /// Φ: ε is raised until the stars come at least twice as near. Faces hardly notice what vertex steps do afterwards.
+  /// The same step among those that bring the stars to their targets, J δ = e, without a search for a part that
+  /// lowers Φ: ε is raised until the stars come at least twice as near and faces do not go astray, farther than
+  /// twice what they are or may be. They hardly notice what vertex steps do afterwards.
+  /// @param tolerance  what the residual may be
   /// @return the part of δ taken; 0 when no ε served, and the image is as it was
-  double advanceOnStars(StarConstraint& stars, Coordinates& image);
+  double advanceOnStars(StarConstraint& stars, double tolerance, Coordinates& image);
 
   /// (Σ m_t (r_t + 1/r_t − 2))^½ = (D_area − 2)^½ of an image; +infinity when a face is folded.
   [[nodiscard]] double residual(const Coordinates& image) const;

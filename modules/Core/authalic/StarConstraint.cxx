@@ -27,12 +27,14 @@ double starResidual(const AreaFunctional& areas, const Eigen::VectorXd& targets,
 }
 
 StarConstraint::StarConstraint(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend)
-    : areas_(areas), targets_(targets), assembly_(areas.vertexCount(), areas.faces()),
-      preconditioner_(backend, PatternUse::Once) {}
+    : areas_(areas), targets_(targets), preconditioner_(backend, PatternUse::Once) {}
 
 void StarConstraint::linearise(const Eigen::VectorXd& faceAreas, const AreaFunctional::Gradients& gradients,
                                const Eigen::VectorXd& weights) {
-  if (gradients_ == nullptr) preconditioner_.analyze(assembly_.matrix());
+  if (assembly_ == nullptr) {
+    assembly_ = std::make_unique<ElementAssembly>(areas_.vertexCount(), areas_.faces());
+    preconditioner_.analyze(assembly_->matrix());
+  }
   gradients_ = &gradients;
   total_ = faceAreas.sum();
   lacking_ = total_ * targets_ - vertexStars(faceAreas, areas_.faces(), areas_.vertexCount());
@@ -40,7 +42,7 @@ void StarConstraint::linearise(const Eigen::VectorXd& faceAreas, const AreaFunct
   for (Eigen::Index f = 0; f < weights.size(); ++f) {
     std::fill_n(&values[static_cast<std::size_t>(6 * f)], 6, 1 / (9 * weights[f]));
   }
-  SparseMatrix matrix = assembly_.assemble(values);
+  SparseMatrix matrix = assembly_->assemble(values);
   for (int v = 0; v < matrix.cols(); ++v) {
     double& diagonal = matrix.valuePtr()[matrix.outerIndexPtr()[v]];
     diagonal = diagonal > 0 ? diagonal * (1 + kRegularisation) : 1;  // 1 where no face uses the vertex

@@ -2,6 +2,8 @@
 /// Steps that obey the linearised equations of the vertex stars. Private to authalic/.
 #pragma once
 
+#include <memory>
+
 #include "Core/authalic/AreaFunctional.h"
 #include "Core/numerics/ElementAssembly.h"
 
@@ -43,7 +45,7 @@ class StarConstraint {
 
   const AreaFunctional& areas_;
   const Eigen::VectorXd& targets_;
-  ElementAssembly assembly_;
+  std::unique_ptr<ElementAssembly> assembly_;  // made when first needed, with the analysis of the preconditioner
   SparseSolver preconditioner_;
   const AreaFunctional::Gradients* gradients_ = nullptr;
   Eigen::VectorXd lacking_;  // e
