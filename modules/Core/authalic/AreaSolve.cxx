@@ -161,4 +161,16 @@ AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surf
   return AreaSolver(areas, surface, target, options, execution, shapes).run(std::move(start));
 }
 
+bool giveBetterTheEffortOfBoth(AuthalicSolution& first, AuthalicSolution& second) {
+  const bool secondIsBetter = second.status == Status::Converged || second.faceResidual < first.faceResidual;
+  AuthalicSolution &best = secondIsBetter ? second : first, &other = secondIsBetter ? first : second;
+  best.iterations += other.iterations;
+  best.history.insert(secondIsBetter ? best.history.begin() : best.history.end(), other.history.begin(),
+                      other.history.end());
+  best.startSeconds += other.startSeconds;
+  best.faceSeconds += other.faceSeconds;
+  best.vertexSeconds += other.vertexSeconds;
+  return secondIsBetter;
+}
+
 }  // namespace authalic

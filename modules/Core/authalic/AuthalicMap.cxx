@@ -94,20 +94,6 @@ Start makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points
   return start;
 }
 
-// Of two images the one that converged, or whose faces are nearer to their targets; with the steps of both.
-AreaSolveResult better(AreaSolveResult first, AreaSolveResult second) {
-  const bool secondIsBetter = second.status == Status::Converged || second.faceResidual < first.faceResidual;
-  AreaSolveResult& best = secondIsBetter ? second : first;
-  AreaSolveResult& other = secondIsBetter ? first : second;
-  if (second.status == Status::Cancelled) best.status = Status::Cancelled;
-  best.iterations += other.iterations;
-  best.history.insert(secondIsBetter ? best.history.begin() : best.history.end(), other.history.begin(),
-                      other.history.end());
-  best.faceSeconds += other.faceSeconds;
-  best.vertexSeconds += other.vertexSeconds;
-  return std::move(best);
-}
-
 // A stretched start has half of the iterations; where they do not suffice, a balanced one has the rest.
 AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const TargetMeasure& target, const Start& start,
                       const Points2& boundary, AuthalicMapOptions options, const Execution& execution) {
@@ -121,8 +107,12 @@ AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const Targ
   }
   const Start other = balanced(disk, boundary, target, options, execution.part(0.6, 0.7));
   if (other.folded > 0) return solved;
-  return better(std::move(solved), solveAreas(areas, disk.mesh(), target, other.image, options,
-                                              execution.part(0.7, 1), Shapes::Free));
+  AreaSolveResult second =
+      solveAreas(areas, disk.mesh(), target, other.image, options, execution.part(0.7, 1), Shapes::Free);
+  const bool cancelled = second.status == Status::Cancelled;
+  AreaSolveResult& better = giveBetterTheEffortOfBoth(solved, second) ? second : solved;
+  if (cancelled) better.status = Status::Cancelled;
+  return std::move(better);
 }
 
 }  // namespace

@@ -60,12 +60,6 @@ CircleDomainAuthalicMapResult solveFrom(const PolyAnnulusMesh& surface, const Ta
   return result;
 }
 
-bool better(const CircleDomainAuthalicMapResult& a, const CircleDomainAuthalicMapResult& b) {
-  const bool converged = a.status == Status::Converged;
-  if (converged != (b.status == Status::Converged)) return converged;
-  return a.faceResidual < b.faceResidual;
-}
-
 // The other road, where the first did not arrive; with the steps and the time of both.
 CircleDomainAuthalicMapResult secondTry(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                                         CircleDomainAuthalicMapOptions options, HolesRoad road,
@@ -81,15 +75,7 @@ CircleDomainAuthalicMapResult secondTry(const PolyAnnulusMesh& surface, const Ta
     first.status = Status::Cancelled;
     return first;
   }
-  const bool secondIsBetter = better(second, first);
-  CircleDomainAuthalicMapResult &best = secondIsBetter ? second : first, &other = secondIsBetter ? first : second;
-  best.iterations += other.iterations;
-  best.history.insert(secondIsBetter ? best.history.begin() : best.history.end(), other.history.begin(),
-                      other.history.end());
-  best.startSeconds += other.startSeconds;
-  best.faceSeconds += other.faceSeconds;
-  best.vertexSeconds += other.vertexSeconds;
-  return std::move(best);
+  return giveBetterTheEffortOfBoth(first, second) ? second : first;
 }
 
 }  // namespace
