@@ -12,7 +12,7 @@ namespace {
 constexpr int kRounds = 8;
 constexpr int kMostVertexSteps = 12;    // of one round
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
-constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
+constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 

@@ -8,6 +8,7 @@
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/PlanarAreas.h"
 #include "Core/authalic/RoomOnCircle.h"
 #include "Core/authalic/StretchStart.h"
@@ -60,7 +61,8 @@ Start balanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasur
   Points2 image = balancedStart(disk, boundary, target, options.solver, kWithinSight, execution);
   image = reviveCollapsedFaces(disk, image, target, options.solver);
   UnfoldResult unfolded = unfold(disk.topology(), std::move(image), execution);
-  return {std::move(unfolded.image), unfolded.flippedFaces};
+  if (unfolded.flippedFaces > 0) return {std::move(unfolded.image), unfolded.flippedFaces};
+  return {openNarrowFaces(disk, unfolded.image, target, options.solver)};
 }
 
 // The same with the fixed point of the stretch energy inside, where its stars come within sight and its folds are few:
@@ -70,7 +72,7 @@ Start stretchedOrBalanced(const DiskMesh& disk, const Points2& boundary, const T
   StretchStart stretched = stretchStart(disk, boundary, target, options.solver, kWellInSight, execution);
   if (stretched.usable(kWithinSight, disk.mesh().faceCount())) {
     UnfoldResult unfolded = unfold(disk.topology(), std::move(stretched.image), execution);
-    if (unfolded.flippedFaces == 0) return {std::move(unfolded.image), 0, true};
+    if (unfolded.flippedFaces == 0) return {openNarrowFaces(disk, unfolded.image, target, options.solver), 0, true};
   }
   return balanced(disk, boundary, target, options, execution);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Core/authalic/LieFlowStages.h"
+#include "Core/authalic/Patches.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/initial/BarycentricSystem.h"
@@ -37,15 +38,23 @@ void reweight(const SurfaceTopology& topology, const Eigen::VectorXd& stars, con
   weights /= weights.mean();
 }
 
-// Σ m_t (r_t + 1/r_t); infinite when a face with a target has no positive area.
-double areaDistortion(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets) {
+Parts onePart(const Faces& faces, Eigen::Index vertexCount) {
+  return {std::vector<int>(static_cast<std::size_t>(vertexCount), 0),
+          std::vector<int>(static_cast<std::size_t>(faces.rows()), 0), 1};
+}
+
+// Σ m_t (r_t + 1/r_t) of every part; infinite where a face with a target has no positive area.
+std::vector<double> areaDistortions(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets, const Parts& parts) {
   const double scale = targets.sum() / areas.sum();
-  double sum = 0;
+  std::vector<double> sums(static_cast<std::size_t>(parts.count), 0);
   for (Eigen::Index f = 0; f < areas.size(); ++f) {
-    if (!(areas[f] > 0)) return std::numeric_limits<double>::infinity();
-    if (targets[f] > 0) sum += areas[f] * scale + targets[f] * targets[f] / (areas[f] * scale);
+    const int part = parts.ofFace[static_cast<std::size_t>(f)];
+    if (part < 0) continue;
+    double& sum = sums[static_cast<std::size_t>(part)];
+    if (!(areas[f] > 0)) sum = std::numeric_limits<double>::infinity();
+    else if (targets[f] > 0) sum += areas[f] * scale + targets[f] * targets[f] / (areas[f] * scale);
   }
-  return sum;
+  return sums;
 }
 
 // Barycentric maps in the plane or, with shifts (3m×2), on the flat torus.
@@ -59,31 +68,14 @@ BarycentricImage planar(const Faces& faces, const std::vector<char>& held, const
           }};
 }
 
-// Marks what a patch may not move: everything more than `rings` edges from a collapsed face, and the boundary.
-std::vector<char> heldAround(const DiskMesh& disk, const std::vector<char>& collapsed, int rings) {
-  std::vector<char> marked = collapsed;
-  const Faces& faces = disk.mesh().faces();
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<char> before = marked;
-    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-      const auto corner = [&](int k) { return static_cast<std::size_t>(faces(f, k)); };
-      if (before[corner(0)] || before[corner(1)] || before[corner(2)]) {
-        for (int k = 0; k < 3; ++k) marked[corner(k)] = 1;
-      }
-    }
-  }
-  for (std::size_t v = 0; v < marked.size(); ++v) marked[v] = !marked[v] || disk.topology().onBoundary()[v];
-  return marked;
-}
-
-}  // namespace
-
-Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
-                      const TargetMeasure& target, double goodEnough, const Execution& execution) {
+// The rounds of balancedStart; every part has its best one.
+Points2 balancedParts(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
+                      const TargetMeasure& target, double goodEnough, const Parts& parts, const Execution& execution) {
   const Faces& faces = topology.faces();
   HalfEdgeWeights weights = map.weights;
   Points2 best = image, current = image;
-  double least = areaDistortion(map.areas(image), target.faces()), error = 1;
+  std::vector<double> least = areaDistortions(map.areas(image), target.faces(), parts);
+  double error = 1;
   for (int round = 0; round < kRounds && error > goodEnough; ++round) {
     if (round > 0 && execution.cancelled()) break;
     execution.report(double(round) / kRounds, "Balancing the start");
@@ -95,15 +87,26 @@ Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& m
     }
     const Eigen::VectorXd areas = map.areas(current);
     const Eigen::VectorXd stars = vertexStars(areas, faces, static_cast<int>(image.rows()));
-    const double distortion = areaDistortion(areas, target.faces());
     error = measureStars(stars, target.vertices()).meanAbsLog;
-    if (distortion < least) {
-      least = distortion;
-      best = current;
+    const std::vector<double> distortions = areaDistortions(areas, target.faces(), parts);
+    for (Eigen::Index v = 0; v < image.rows(); ++v) {
+      const int part = parts.ofVertex[static_cast<std::size_t>(v)];
+      if (part >= 0 && distortions[static_cast<std::size_t>(part)] < least[static_cast<std::size_t>(part)]) {
+        best.row(v) = current.row(v);
+      }
     }
+    std::transform(least.begin(), least.end(), distortions.begin(), least.begin(),
+                   [](double a, double b) { return std::min(a, b); });
     reweight(topology, logRatios(stars, target.vertices()), logRatios(areas, target.faces()), weights);
   }
   return best;
+}
+
+}  // namespace
+
+Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
+                      const TargetMeasure& target, double goodEnough, const Execution& execution) {
+  return balancedParts(topology, map, image, target, goodEnough, onePart(topology.faces(), image.rows()), execution);
 }
 
 Points2 balancedStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target, SolverBackend backend,
@@ -124,14 +127,10 @@ Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const T
   Points2 result = image;
   for (const int rings : {3, 6, 12}) {
     const Eigen::VectorXd logs = logRatios(signedFaceAreas(result, disk.mesh().faces()), target.faces());
-    std::vector<char> corners(static_cast<std::size_t>(disk.mesh().vertexCount()), 0);
-    for (Eigen::Index f = 0; f < logs.size(); ++f) {
-      if (logs[f] > std::log(collapsed)) continue;
-      for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(disk.mesh().faces()(f, k))] = 1;
-    }
-    if (std::find(corners.begin(), corners.end(), 1) == corners.end()) return result;
-    const std::vector<char> held = heldAround(disk, corners, rings);
-    result = balancedStart(disk.topology(), planar(disk.mesh().faces(), held, {}, backend), result, target, 0, {});
+    if (!(logs.minCoeff() <= std::log(collapsed))) return result;
+    const std::vector<char> held = heldAround(disk, logs.array() <= std::log(collapsed), rings);
+    result = balancedParts(disk.topology(), planar(disk.mesh().faces(), held, {}, backend), result, target, 0,
+                           partsBetween(held, disk.mesh().faces()), {});
   }
   return result;
 }

@@ -170,7 +170,7 @@ void FaceMatch::stiffen(const Coordinates& image, const Coordinates& displacemen
 
 void FaceMatch::adapt(double step) {
   failures_ = step > 0 ? 0 : failures_ + 1;
-  damping_ = std::max(leastDamping_, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 1));
+  damping_ = std::max(leastDamping_, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 0.5));
 }
 
 double FaceMatch::advance(Coordinates& image) {

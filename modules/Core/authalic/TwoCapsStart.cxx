@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/StretchStart.h"
 #include "Core/conformal/UnfoldOnSphere.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/initial/BarycentricMap.h"
+#include "Core/initial/Unfold.h"
 
 namespace authalic {
 namespace {
@@ -164,6 +166,8 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   half.image = stretched.usable(goodEnough, disk.mesh().faceCount())
                    ? reviveCollapsedFaces(disk, stretched.image, own, backend, kCollapsed)
                    : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 1));
+  half.image = unfold(disk.topology(), std::move(half.image)).image;
+  half.image = openNarrowFaces(disk, half.image, own, backend);
   return half;
 }
 

@@ -1,0 +1,59 @@
+#include "Core/authalic/Patches.h"
+
+#include <numeric>
+
+namespace authalic {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+std::vector<char> heldAround(const DiskMesh& disk, const Eigen::Array<bool, Eigen::Dynamic, 1>& faces, int rings) {
+  const Faces& corners = disk.mesh().faces();
+  std::vector<char> marked(at(disk.mesh().vertexCount()), 0);
+  for (Eigen::Index f = 0; f < corners.rows(); ++f) {
+    for (int k = 0; k < 3 && faces[f]; ++k) marked[at(corners(f, k))] = 1;
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = marked;
+    for (Eigen::Index f = 0; f < corners.rows(); ++f) {
+      if (!before[at(corners(f, 0))] && !before[at(corners(f, 1))] && !before[at(corners(f, 2))]) continue;
+      for (int k = 0; k < 3; ++k) marked[at(corners(f, k))] = 1;
+    }
+  }
+  for (std::size_t v = 0; v < marked.size(); ++v) marked[v] = !marked[v] || disk.topology().onBoundary()[v];
+  return marked;
+}
+
+Parts partsBetween(const std::vector<char>& held, const Faces& faces) {
+  std::vector<int> root(held.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto rootOf = [&](int v) {
+    while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
+    return v;
+  };
+  std::vector<int> freeCorner(static_cast<std::size_t>(faces.rows()), -1);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+    int& first = freeCorner[static_cast<std::size_t>(f)];
+    for (int k = 0; k < 3; ++k) {
+      const int v = faces(f, k);
+      if (held[at(v)]) continue;
+      if (first < 0) first = v;
+      root[at(rootOf(v))] = rootOf(first);
+    }
+  }
+  Parts parts{std::vector<int>(held.size(), -1), std::vector<int>(freeCorner.size(), -1)};
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (!held[v] && root[v] == static_cast<int>(v)) parts.ofVertex[v] = parts.count++;
+  }
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    if (!held[v]) parts.ofVertex[v] = parts.ofVertex[at(rootOf(static_cast<int>(v)))];
+  }
+  for (std::size_t f = 0; f < freeCorner.size(); ++f) {
+    if (freeCorner[f] >= 0) parts.ofFace[f] = parts.ofVertex[at(freeCorner[f])];
+  }
+  return parts;
+}
+
+}  // namespace authalic
