@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -29,19 +27,13 @@
 #include "support/SharedData.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using authalic::testing::sharedData;
 using authalic::testing::TemporaryFolder;
-
-/// Collects error messages so that they are not printed.
-class Words : public vtkCommand {
- public:
-  static Words* New() { return new Words; }
-  void Execute(vtkObject*, unsigned long, void* data) override { text += static_cast<const char*>(data); }
-  std::string text;
-};
+using authalic::testing::VtkWords;
 
 struct Outcome {
   int kind = -1;
@@ -52,19 +44,16 @@ struct Outcome {
 
 Outcome read(const std::string& path, int assume = vtkSurfaceFileReader::AS_STATED) {
   vtkNew<vtkSurfaceFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName(path.c_str());
   reader->SetAssumeSpace(assume);
   reader->Update();
-  return {reader->GetErrorKind(), reader->GetErrorCode(), words->text, reader->GetOutput()};
+  return {reader->GetErrorKind(), reader->GetErrorCode(), words.text(), reader->GetOutput()};
 }
 
 int write(vtkPolyData* surface, const std::string& path) {
   vtkNew<vtkSurfaceFileWriter> writer;
-  vtkNew<Words> words;
-  writer->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(writer);
   writer->SetInputData(surface);
   writer->SetFileName(path.c_str());
   const int done = writer->Write();
@@ -323,9 +312,7 @@ TEST(VolumeFileReader, ReadsTheFrameAskedFor) {
   const std::string path = sharedData("volumes/edge/functional.nii");
   AUTHALIC_NEEDS(path);
   vtkNew<vtkVolumeFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName(path.c_str());
   reader->SetFrame(19);
   reader->Update();
@@ -334,14 +321,12 @@ TEST(VolumeFileReader, ReadsTheFrameAskedFor) {
   reader->SetFrame(20);
   reader->Update();
   EXPECT_EQ(reader->GetErrorKind(), vtkSurfaceAlgorithm::FORMAT);
-  EXPECT_NE(words->text.find("20 frames"), std::string::npos) << words->text;
+  EXPECT_TRUE(words.contain("20 frames")) << words.text();
 }
 
 TEST(VolumeFileReader, RefusesMissingAndColourFiles) {
   vtkNew<vtkVolumeFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName("/nowhere/t1.nii.gz");
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
@@ -350,27 +335,24 @@ TEST(VolumeFileReader, RefusesMissingAndColourFiles) {
   reader->SetFileName(rgb.c_str());
   reader->Update();
   EXPECT_EQ(reader->GetErrorKind(), vtkSurfaceAlgorithm::FORMAT);
-  EXPECT_NE(words->text.find("RGB"), std::string::npos);
+  EXPECT_TRUE(words.contain("RGB")) << words.text();
 }
 
 namespace {
 
 Outcome addData(vtkPolyData* surface, const std::string& path, const char* name = nullptr) {
   vtkNew<vtkVertexDataReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetInputData(surface);
   reader->SetFileName(path.c_str());
   reader->SetArrayName(name);
   reader->Update();
-  return {reader->GetErrorKind(), reader->GetErrorCode(), words->text, reader->GetOutput()};
+  return {reader->GetErrorKind(), reader->GetErrorCode(), words.text(), reader->GetOutput()};
 }
 
 int writeData(vtkPolyData* surface, const std::string& path, std::initializer_list<const char*> names = {}) {
   vtkNew<vtkVertexDataWriter> writer;
-  vtkNew<Words> words;
-  writer->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(writer);
   writer->SetInputData(surface);
   writer->SetFileName(path.c_str());
   for (const char* name : names) {
