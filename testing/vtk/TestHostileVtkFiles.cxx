@@ -88,10 +88,11 @@ long peakMegabytes() {
 
 }  // namespace
 
-TEST_P(HostileVtkFiles, TruncatedAnywhereAreRefusedOrConsistent) {
+TEST_P(HostileVtkFiles, TruncatedAnywhereAreRefused) {
   const std::string bytes = whole();
+  const bool hasNoEnd = path.substr(path.size() - 4) == ".vtk";  // some whole sections are a file too
   for (std::size_t part = 0; part < 37; ++part) {
-    kindOf(bytes.substr(0, bytes.size() * part / 37));
+    EXPECT_TRUE(kindOf(bytes.substr(0, bytes.size() * part / 37)) != 0 || hasNoEnd) << part;
   }
   EXPECT_NE(kindOf(""), 0);
 }
