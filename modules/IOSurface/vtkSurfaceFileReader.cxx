@@ -50,17 +50,23 @@ std::optional<CoordinateSpace> asserted(int assumeSpace) {
   }
 }
 
-/// What a file of VTK's own formats says in its field data, or in its header as 3D Slicer does.
+/// What a file of VTK's own formats says in its field data, or as 3D Slicer does. Where they differ Slicer wrote last:
+/// it turns the coordinates and leaves fields that it does not know.
 authalic::SurfaceFile statedSpace(vtkPolyData* surface, const std::string& path) {
   authalic::SurfaceFile stated = authalic::spaceFields(surface);
-  if (stated.space != CoordinateSpace::Unknown) {
-    return stated;
+  const CoordinateSpace said = authalic::takeSpaceOfFile(path, surface);
+  if (said != CoordinateSpace::Unknown && said != stated.space) {
+    stated.spaceReason = std::string(authalic::spaceComment(said)) + " in the file";
+    if (stated.space != CoordinateSpace::Unknown) {
+      stated.spaceReason += std::string(", which goes before its field CoordinateSpace, ") +
+                            authalic::coordinateSpaceName(stated.space);
+    }
+    stated.space = said;
+  } else if (stated.space == CoordinateSpace::Unknown) {
+    stated.spaceReason = authalic::extensionOf(path) + " file without a field CoordinateSpace";
+  } else if (stated.spaceReason.empty()) {
+    stated.spaceReason = "field CoordinateSpace of the file";
   }
-  const auto start = authalic::InputFile(path).readUpTo(256);
-  stated.space = authalic::spaceComment(std::string(start.begin(), start.end()));
-  stated.spaceReason = stated.space == CoordinateSpace::Unknown
-                           ? authalic::extensionOf(path) + " file without a field CoordinateSpace"
-                           : std::string("comment ") + authalic::spaceComment(stated.space) + " in the header";
   return stated;
 }
 

@@ -10,7 +10,8 @@
  * and .vtk, overlays of .mz3 as `Overlay`, `Overlay2` … (float) and its colours as `Colors` (4 unsigned chars), of a
  * patch `OriginalPointIds` and `PatchBorder` (int, 1 on the border). Points are brought to scanner RAS mm when the
  * file states its space or AssumeSpace asserts it, tkRAS by the full formula x = D P⁻¹ x_tk + c_ras; otherwise they
- * stay as they are and CoordinateSpace is "unknown".
+ * stay as they are and CoordinateSpace is "unknown". The words of 3D Slicer (SPACE=LPS or RAS in the header, the field
+ * SPACE of .vtp) go before a field CoordinateSpace of the file: Slicer leaves that when it turns the coordinates.
  *
  * | field data | type | meaning |
  * |---|---|---|

@@ -8,12 +8,15 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkSurfaceFileReader.h>
 #include <vtkSurfaceFileWriter.h>
 #include <vtkVertexDataReader.h>
 #include <vtkVertexDataWriter.h>
 #include <vtkVolumeFileReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
 #include <cstring>
@@ -183,6 +186,55 @@ TEST(SurfaceFileReader, BringsTkRasToScannerRasAndBack) {
   const auto copy = authalic::readSurface(folder / "lh.copy");
   for (std::size_t i = 0; i < raw.points.size(); ++i) {
     ASSERT_NEAR(raw.points[i], copy.points[i], 2e-5);
+  }
+}
+
+TEST(SurfaceFileReader, BelievesSlicerThatTurnsTheCoordinatesAndLeavesOurFields) {
+  const TemporaryFolder folder;
+  const auto ras = sphere();
+  authalic::addField(ras, "CoordinateSpace", std::string("scanner-ras"));
+  ASSERT_EQ(write(ras, folder / "ras.vtp"), 0);
+  vtkNew<vtkXMLPolyDataReader> plain;
+  plain->SetFileName((folder / "ras.vtp").c_str());
+  plain->Update();
+  EXPECT_EQ(authalic::textField(plain->GetOutput(), "SPACE"), "RAS");  // else Slicer would take it for LPS
+  authalic::Points3 points = authalic::toPoints(ras);
+  points.leftCols(2) *= -1;
+  authalic::setPoints(plain->GetOutput(), points);
+  for (const bool ours : {true, false}) {  // a file of ours that Slicer saved again; one that Slicer made
+    if (!ours) plain->GetOutput()->GetFieldData()->RemoveArray("CoordinateSpace");
+    authalic::addField(plain->GetOutput(), "SPACE", std::string("LPS"));
+    vtkNew<vtkXMLPolyDataWriter> xml;
+    xml->SetInputData(plain->GetOutput());
+    xml->SetFileName((folder / "lps.vtp").c_str());
+    xml->Write();
+    plain->GetOutput()->GetFieldData()->RemoveArray("SPACE");
+    vtkNew<vtkPolyDataWriter> legacy;
+    legacy->SetInputData(plain->GetOutput());
+    legacy->SetFileName((folder / "lps.vtk").c_str());
+    legacy->SetHeader("3D Slicer output. SPACE=LPS");
+    legacy->Write();
+    for (const char* name : {"lps.vtp", "lps.vtk"}) {
+      const Outcome outcome = read(folder / name);
+      ASSERT_EQ(outcome.kind, 0) << outcome.words;
+      EXPECT_EQ(spaceOf(outcome.surface), "scanner-ras") << name;
+      EXPECT_LT(largestDifference(outcome.surface, ras), 1e-5) << name;
+      EXPECT_FALSE(outcome.surface->GetFieldData()->HasArray("SPACE"));
+      const std::string reason = authalic::textField(outcome.surface, "CoordinateSpaceReason");
+      EXPECT_EQ(reason.find("SPACE=LPS in the file"), 0U) << reason;
+      EXPECT_EQ(reason.find("CoordinateSpace") != std::string::npos, ours) << reason;
+    }
+  }
+}
+
+TEST(SurfaceFileReader, SaysThatAFieldDecidedWhenItGivesNoReason) {
+  const TemporaryFolder folder;
+  const auto surface = sphere();
+  authalic::addField(surface, "CoordinateSpace", std::string("scanner-ras"));
+  for (const char* name : {"s.vtp", "s.vtk"}) {
+    ASSERT_EQ(write(surface, folder / name), 0);
+    EXPECT_EQ(authalic::textField(read(folder / name).surface, "CoordinateSpaceReason"),
+              "field CoordinateSpace of the file");
   }
 }
 
