@@ -19,6 +19,7 @@
 #include "Formats/FreeSurferPatch.h"
 #include "Formats/InputFile.h"
 #include "Formats/Mz3.h"
+#include "Formats/VolumeFile.h"
 #include "SurfaceConversion.h"
 #include "VtkSurfaceFormats.h"
 
@@ -31,6 +32,7 @@ vtkSurfaceFileReader::vtkSurfaceFileReader() {
 vtkSurfaceFileReader::~vtkSurfaceFileReader() {
   this->SetFileName(nullptr);
   this->SetWholeFileName(nullptr);
+  this->SetVolumeFileName(nullptr);
 }
 
 namespace {
@@ -45,9 +47,22 @@ std::optional<CoordinateSpace> asserted(int assumeSpace) {
       return CoordinateSpace::TkRAS;
     case vtkSurfaceFileReader::LPS:
       return CoordinateSpace::LPS;
+    case vtkSurfaceFileReader::VOXEL:
+      return CoordinateSpace::Voxel;
     default:
       return std::nullopt;
   }
+}
+
+/// What the user says of the coordinates.
+struct Assertion {
+  std::optional<CoordinateSpace> space;
+  std::optional<authalic::VolumeGeometry> volume;
+};
+
+void toScannerRas(authalic::SurfaceFile& surface, const Assertion& assumed) {
+  if (assumed.volume) surface.geometry = *assumed.volume;
+  authalic::toScannerRas(surface, assumed.space);
 }
 
 /// What a file of VTK's own formats says in its field data, or as 3D Slicer does. Where they differ Slicer wrote last:
@@ -82,16 +97,16 @@ void requireFinitePoints(vtkPolyData* surface, const std::string& path) {
 }
 
 /// .vtp, .vtk and .stl.
-void readWithVtk(const std::string& path, std::optional<CoordinateSpace> assumed, vtkPolyData* output) {
+void readWithVtk(const std::string& path, const Assertion& assumed, vtkPolyData* output) {
   authalic::readVtkSurface(path, output);
   requireFinitePoints(output, path);
   authalic::SurfaceFile surface = statedSpace(output, path);
-  const CoordinateSpace space = assumed.value_or(surface.space);
-  const bool moves = space == CoordinateSpace::TkRAS || space == CoordinateSpace::LPS;
+  const CoordinateSpace space = assumed.space.value_or(surface.space);
+  const bool moves = space != CoordinateSpace::Unknown && space != CoordinateSpace::ScannerRAS;
   if (moves) {
     authalic::copyPoints(output, surface);
   }
-  authalic::toScannerRas(surface, assumed);
+  toScannerRas(surface, assumed);
   if (moves) {
     authalic::setPoints(output, surface);
   }
@@ -106,7 +121,7 @@ authalic::SurfaceFile wholeSurface(const std::string& path) {
   const bool vtk = authalic::isVtkSurfaceName(path);
   vtkNew<vtkPolyData> polyData;
   if (vtk) {
-    readWithVtk(path, std::nullopt, polyData);
+    readWithVtk(path, {}, polyData);
   }
   authalic::SurfaceFile whole = vtk ? authalic::toSurfaceFile(polyData) : authalic::readSurface(path);
   if (vtk || authalic::extensionOf(path) == ".gii") {
@@ -115,8 +130,7 @@ authalic::SurfaceFile wholeSurface(const std::string& path) {
   return whole;
 }
 
-void readPatchOf(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
-                 vtkPolyData* output) {
+void readPatchOf(const std::string& path, const char* whole, const Assertion& assumed, vtkPolyData* output) {
   if (!whole || !*whole) {
     throw authalic::InvalidArgument(
         path +
@@ -125,7 +139,7 @@ void readPatchOf(const std::string& path, const char* whole, std::optional<Coord
   }
   const authalic::PatchFile patch = authalic::readPatch(path);
   authalic::SurfaceFile surface = authalic::patchSurface(path, patch, wholeSurface(whole));
-  authalic::toScannerRas(surface, assumed);
+  toScannerRas(surface, assumed);
   authalic::setSurface(output, surface);
   authalic::addIds(output->GetPointData(), "OriginalPointIds", patch.vertices);
   authalic::addArray(output->GetPointData(), "PatchBorder",
@@ -163,8 +177,7 @@ std::string otherMetadata(const authalic::SurfaceFile& surface, vtkPolyData* out
 }
 
 /// Returns what was passed over.
-std::string readAny(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
-                    vtkPolyData* output) {
+std::string readAny(const std::string& path, const char* whole, const Assertion& assumed, vtkPolyData* output) {
   if (authalic::isVtkSurfaceName(path)) {
     readWithVtk(path, assumed, output);
     return "";
@@ -174,7 +187,7 @@ std::string readAny(const std::string& path, const char* whole, std::optional<Co
     readPatchOf(path, whole, assumed, output);
   } else {
     authalic::SurfaceFile surface = authalic::readSurface(path);
-    authalic::toScannerRas(surface, assumed);
+    toScannerRas(surface, assumed);
     authalic::setSurface(output, surface);
     const std::string metadata = otherMetadata(surface, output);
     notRead = surface.notRead + (surface.notRead.empty() || metadata.empty() ? "" : ", ") + metadata;
@@ -194,8 +207,11 @@ void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector*
     throw authalic::InvalidArgument("A file to read is needed; call SetFileName.");
   }
   this->NotRead.clear();
-  this->NotRead = readAny(this->FileName, this->WholeFileName, asserted(this->AssumeSpace),
-                          vtkPolyData::GetData(outputs));
+  Assertion assumed{asserted(this->AssumeSpace), std::nullopt};
+  if (this->VolumeFileName && *this->VolumeFileName) {
+    assumed.volume = authalic::readVolumeGeometry(this->VolumeFileName);
+  }
+  this->NotRead = readAny(this->FileName, this->WholeFileName, assumed, vtkPolyData::GetData(outputs));
 }
 
 int vtkSurfaceFileReader::RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -209,6 +225,7 @@ void vtkSurfaceFileReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "WholeFileName: " << (this->WholeFileName ? this->WholeFileName : "(none)") << "\n";
+  os << indent << "VolumeFileName: " << (this->VolumeFileName ? this->VolumeFileName : "(none)") << "\n";
   os << indent << "NotRead: " << this->NotRead << "\n";
   os << indent << "AssumeSpace: " << this->AssumeSpace << "\n";
 }
