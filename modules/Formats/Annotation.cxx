@@ -106,7 +106,7 @@ Annotation parseAnnot(const std::string& path, const FileBytes& bytes) {
     }
     annotation.labels[static_cast<std::size_t>(vertex)] = value;
   }
-  if (cursor.remaining() < 4 || cursor.next<std::int32_t>("the mark of a colour table") == 0) {
+  if (cursor.remaining() == 0 || cursor.next<std::int32_t>("the mark of a colour table") == 0) {
     return annotation;
   }
   const auto layout = cursor.next<std::int32_t>("the layout of the colour table");

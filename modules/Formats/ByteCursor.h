@@ -96,6 +96,8 @@ class ByteCursor {
     position_ = std::min(end + 1, all.size());
     return words;
   }
+  /// Whether the last line that was read ended, and not the file in its middle.
+  [[nodiscard]] bool afterLineFeed() const { return position_ > 0 && bytes_[position_ - 1] == '\n'; }
   /// What is quoted from a file must not break the sentence or steer a terminal: control characters become blanks.
   [[noreturn]] void fail(std::string what) const {
     std::replace_if(

@@ -78,6 +78,7 @@ VolumeGeometry parseGeometryText(ByteCursor& cursor) {
   bool complete = true;
   for (int i = 0; i < 8; ++i) {
     const std::string line = cursor.line();
+    complete = complete && cursor.afterLineFeed();  // else the last number may be a part of one
     const auto equals = line.find('=');
     std::string_view head = std::string_view(line).substr(0, equals);
     const auto key = nextToken(head);

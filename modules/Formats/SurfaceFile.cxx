@@ -205,6 +205,15 @@ void mirrorTwice(std::vector<double>& points) {
   }
 }
 
+void movePoints(const std::array<double, 16>& m, std::vector<double>& points) {
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const std::array<double, 3> p{points[i], points[i + 1], points[i + 2]};
+    for (std::size_t row = 0; row < 3; ++row) {
+      points[i + row] = m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
+    }
+  }
+}
+
 }  // namespace
 
 void toLps(SurfaceFile& surface) {
@@ -219,20 +228,15 @@ void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume) {
   if (space == CoordinateSpace::Unknown) {
     return;
   }
-  if (space == CoordinateSpace::TkRAS) {
+  if (space == CoordinateSpace::TkRAS || space == CoordinateSpace::Voxel) {
     if (!surface.geometry.valid) {
-      throw FormatError("surface",
-                        "tkRAS needs the volume geometry to become scanner RAS, but the file carries none; "
-                        "give a file with geometry or assert scanner RAS if that is what it holds.");
+      throw FormatError("surface", std::string(space == CoordinateSpace::TkRAS ? "tkRAS needs" : "Voxel indices need") +
+                                       " the volume geometry to become scanner RAS, but the file carries none; name "
+                                       "the volume (--volume, VolumeFileName), give a file with geometry, or assert "
+                                       "scanner RAS if that is what it holds.");
     }
-    const auto m = surface.geometry.tkRasToScanner();
-    for (std::size_t i = 0; i + 2 < surface.points.size(); i += 3) {
-      const std::array<double, 3> p{surface.points[i], surface.points[i + 1], surface.points[i + 2]};
-      for (std::size_t row = 0; row < 3; ++row) {
-        surface.points[i + row] =
-            m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3];
-      }
-    }
+    movePoints(space == CoordinateSpace::TkRAS ? surface.geometry.tkRasToScanner() : surface.geometry.voxelToScanner(),
+               surface.points);
   }
   if (space == CoordinateSpace::LPS) {
     mirrorTwice(surface.points);

@@ -49,11 +49,11 @@ struct SurfaceFile {
 /// "SPACE=RAS", "SPACE=LPS", or empty for spaces that the comment has no word for.
 [[nodiscard]] const char* spaceComment(CoordinateSpace space) noexcept;
 
-/// Brings points to scanner RAS: x = D P⁻¹ x_tk + c_ras for tkRAS (VolumeGeometry::tkRasToScanner); of LPS the
-/// first two coordinates change their sign.
+/// Brings points to scanner RAS: x = D P⁻¹ x_tk + c_ras for tkRAS (VolumeGeometry::tkRasToScanner), likewise
+/// for voxel indices (VolumeGeometry::voxelToScanner); of LPS the first two coordinates change their sign.
 /// A surface of unknown space stays untouched and unknown unless `assume` asserts a space, which also
 /// overrides what the file says.
-/// @throws FormatError when tkRAS is asserted but the surface carries no volume geometry
+/// @throws FormatError when tkRAS or voxels are asserted but the surface carries no volume geometry
 void toScannerRas(SurfaceFile& surface, std::optional<CoordinateSpace> assume = {});
 
 /// Turns scanner RAS into LPS; a surface of another space stays as it is.

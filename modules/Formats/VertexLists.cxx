@@ -39,7 +39,7 @@ SparseScalars readLabel(const std::string& path) {
       }
       value = numbers == 3 ? static_cast<float>(*number) : value;
     }
-    if (!vertex || *vertex < -1 || numbers < 3) {
+    if (!vertex || *vertex < -1 || numbers < 4) {
       cursor.fail("An entry of a FreeSurfer label is a vertex, three coordinates and a value, but entry " +
                   std::to_string(i) + " reads \"" + line.substr(0, 60) + "\".");
     }

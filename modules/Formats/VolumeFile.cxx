@@ -205,4 +205,28 @@ void writeVolume(const std::string& path, const LabelVolume& volume, int transfo
   writeValues(path, volume, VoxelType::Int32, transformCode);
 }
 
+VolumeGeometry readVolumeGeometry(const std::string& path) {
+  const VolumeFile file = readVolume(path);
+  const Eigen::Matrix3d axes = file.voxelToWorld().topLeftCorner<3, 3>();
+  const Eigen::Vector3d sizes = axes.colwise().norm();
+  if (file.space == CoordinateSpace::Unknown) {
+    throw FormatError(path, "A volume that says where it is, is needed to place a surface, but the space of this one "
+                            "is unknown; convert it with --space scanner-ras first if that is what it is in.");
+  }
+  if (file.disagreement > sizes.minCoeff() / 2) {
+    throw FormatError(path, "One place is needed for the voxels, but sform and qform put them over half a voxel apart; "
+                            "convert it with --transform sform or --transform qform first.");
+  }
+  VolumeGeometry geometry;
+  geometry.valid = true;
+  geometry.dimensions = file.dimensions();
+  Eigen::Vector3d middle;
+  for (int axis = 0; axis < 3; ++axis) middle[axis] = 0.5 * file.dimensions()[static_cast<std::size_t>(axis)];
+  Eigen::Map<Eigen::Vector3d>(geometry.voxelSize.data()) = sizes;
+  Eigen::Map<Eigen::Matrix3d>(geometry.directions.data()) = axes * sizes.cwiseInverse().asDiagonal();
+  Eigen::Map<Eigen::Vector3d>(geometry.center.data()) = axes * middle + file.voxelToWorld().topRightCorner<3, 1>();
+  geometry.fileName = path;
+  return geometry;
+}
+
 }  // namespace authalic

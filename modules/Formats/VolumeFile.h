@@ -67,6 +67,11 @@ struct VolumeFile : VolumeFacts {
 [[nodiscard]] VolumeFile readVolume(const std::string& path, int frame = 0,
                                     VolumeTransform transform = VolumeTransform::Automatic);
 
+/// The geometry of a volume for a surface in its tkRAS or in its voxels (VolumeGeometry), with the name of the file.
+/// @throws FormatError when it cannot be read, its space is unknown, or its sform and qform put voxels over half a
+///         voxel apart
+[[nodiscard]] VolumeGeometry readVolumeGeometry(const std::string& path);
+
 /// A name that ends in .mgh or .mgz (gzipped): MGH, float32 or int32, goodRAS set, the axes as direction cosines.
 /// Any other: NIfTI-1, gzipped when the name ends in .gz; float32 or int32; sform, and qform when the axes are
 /// orthogonal, both with `transformCode`. Affines become 32-bit. Written whole or not at all.

@@ -64,8 +64,10 @@ class TextReader {
   std::vector<Corner> corners() {
     std::vector<Corner> found;
     std::size_t inLoop = 0;
+    bool open = true;
     for (std::string word = next(); !word.empty(); word = next()) {
       if (word == "solid" || word == "endsolid") {
+        open = word == "solid";
         rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size()));  // a name of any words
       } else if (word == "vertex") {
         found.push_back({number(), number(), number()});
@@ -80,8 +82,8 @@ class TextReader {
         fail("the word \"" + word.substr(0, 24) + "\"");
       }
     }
-    if (found.size() % 3 != 0) {
-      fail("a triangle that is not complete");
+    if (open || found.size() % 3 != 0) {
+      fail("no endsolid after the last");
     }
     return found;
   }

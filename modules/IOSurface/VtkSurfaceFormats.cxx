@@ -6,6 +6,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -197,33 +198,54 @@ void readVtkSurface(const std::string& path, vtkPolyData* output) {
 
 namespace {
 
-/// "Authalic. SPACE=RAS", as 3D Slicer says it.
-std::string headerOf(vtkPolyData* surface) {
+constexpr const char* kSlicerField = "SPACE";
+
+/// "SPACE=RAS" or "SPACE=LPS", else empty.
+std::string commentOf(vtkPolyData* surface) {
   const std::string name = textField(surface, "CoordinateSpace");
-  const char* comment = "";
   for (const CoordinateSpace space : {CoordinateSpace::ScannerRAS, CoordinateSpace::LPS}) {
-    comment = name == coordinateSpaceName(space) ? spaceComment(space) : comment;
+    if (name == coordinateSpaceName(space)) return spaceComment(space);
   }
-  return std::string("Authalic. ") + comment;
+  return "";
+}
+
+/// The surface with the field SPACE of its space.
+vtkSmartPointer<vtkPolyData> withSlicerField(vtkPolyData* surface) {
+  const std::string comment = commentOf(surface);
+  if (comment.empty()) return surface;
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(surface);
+  addField(copy, kSlicerField, comment.substr(comment.find('=') + 1));
+  return copy;
 }
 
 }  // namespace
+
+CoordinateSpace takeSpaceOfFile(const std::string& path, vtkPolyData* surface) {
+  if (extensionOf(path) == ".vtp") {
+    const CoordinateSpace space = spaceComment("SPACE=" + textField(surface, kSlicerField));
+    surface->GetFieldData()->RemoveArray(kSlicerField);
+    return space;
+  }
+  const auto start = InputFile(path).readUpTo(256);
+  return spaceComment(std::string(start.begin(), start.end()));
+}
 
 void writeVtkSurface(const std::string& path, vtkPolyData* surface) {
   const std::string extension = extensionOf(path);
   if (extension == ".vtp") {
     vtkNew<vtkXMLPolyDataWriter> writer;
-    runWriter(writer.Get(), path, surface);
+    runWriter(writer.Get(), path, withSlicerField(surface));
   } else if (extension == ".vtk") {
     vtkNew<vtkPolyDataWriter> writer;
     writer->SetFileVersion(vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);
     writer->SetFileTypeToBinary();
-    writer->SetHeader(headerOf(surface).c_str());
+    writer->SetHeader(("Authalic. " + commentOf(surface)).c_str());
     runWriter(writer.Get(), path, surface);
   } else {
     vtkNew<vtkSTLWriter> writer;
     writer->SetFileTypeToBinary();
-    writer->SetHeader(headerOf(surface).c_str());
+    writer->SetHeader(("Authalic. " + commentOf(surface)).c_str());
     runWriter(writer.Get(), path, surface);
   }
 }

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "Formats/Space.h"
+
 class vtkPolyData;
 
 namespace authalic {
@@ -18,8 +20,12 @@ namespace authalic {
 /// @throws FormatError
 void readVtkSurface(const std::string& path, vtkPolyData* output);
 
+/// What a file says of its space as 3D Slicer does: in the header of .vtk and .stl, in the field SPACE of .vtp, which
+/// is taken off the surface, because it is of the file. Unknown when the file says nothing.
+[[nodiscard]] CoordinateSpace takeSpaceOfFile(const std::string& path, vtkPolyData* surface);
+
 /// Writes with VTK, whole or not at all: .vtp (appended, compressed), .stl (binary), .vtk
-/// (legacy 4.2, binary).
+/// (legacy 4.2, binary). A space that is known is stated as 3D Slicer does.
 /// @throws FormatError
 void writeVtkSurface(const std::string& path, vtkPolyData* surface);
 

@@ -19,6 +19,7 @@
 #include "Formats/FreeSurferPatch.h"
 #include "Formats/InputFile.h"
 #include "Formats/Mz3.h"
+#include "Formats/VolumeFile.h"
 #include "SurfaceConversion.h"
 #include "VtkSurfaceFormats.h"
 
@@ -31,6 +32,7 @@ vtkSurfaceFileReader::vtkSurfaceFileReader() {
 vtkSurfaceFileReader::~vtkSurfaceFileReader() {
   this->SetFileName(nullptr);
   this->SetWholeFileName(nullptr);
+  this->SetVolumeFileName(nullptr);
 }
 
 namespace {
@@ -45,22 +47,41 @@ std::optional<CoordinateSpace> asserted(int assumeSpace) {
       return CoordinateSpace::TkRAS;
     case vtkSurfaceFileReader::LPS:
       return CoordinateSpace::LPS;
+    case vtkSurfaceFileReader::VOXEL:
+      return CoordinateSpace::Voxel;
     default:
       return std::nullopt;
   }
 }
 
-/// What a file of VTK's own formats says in its field data, or in its header as 3D Slicer does.
+/// What the user says of the coordinates.
+struct Assertion {
+  std::optional<CoordinateSpace> space;
+  std::optional<authalic::VolumeGeometry> volume;
+};
+
+void toScannerRas(authalic::SurfaceFile& surface, const Assertion& assumed) {
+  if (assumed.volume) surface.geometry = *assumed.volume;
+  authalic::toScannerRas(surface, assumed.space);
+}
+
+/// What a file of VTK's own formats says in its field data, or as 3D Slicer does. Where they differ Slicer wrote last:
+/// it turns the coordinates and leaves fields that it does not know.
 authalic::SurfaceFile statedSpace(vtkPolyData* surface, const std::string& path) {
   authalic::SurfaceFile stated = authalic::spaceFields(surface);
-  if (stated.space != CoordinateSpace::Unknown) {
-    return stated;
+  const CoordinateSpace said = authalic::takeSpaceOfFile(path, surface);
+  if (said != CoordinateSpace::Unknown && said != stated.space) {
+    stated.spaceReason = std::string(authalic::spaceComment(said)) + " in the file";
+    if (stated.space != CoordinateSpace::Unknown) {
+      stated.spaceReason += std::string(", which goes before its field CoordinateSpace, ") +
+                            authalic::coordinateSpaceName(stated.space);
+    }
+    stated.space = said;
+  } else if (stated.space == CoordinateSpace::Unknown) {
+    stated.spaceReason = authalic::extensionOf(path) + " file without a field CoordinateSpace";
+  } else if (stated.spaceReason.empty()) {
+    stated.spaceReason = "field CoordinateSpace of the file";
   }
-  const auto start = authalic::InputFile(path).readUpTo(256);
-  stated.space = authalic::spaceComment(std::string(start.begin(), start.end()));
-  stated.spaceReason = stated.space == CoordinateSpace::Unknown
-                           ? authalic::extensionOf(path) + " file without a field CoordinateSpace"
-                           : std::string("comment ") + authalic::spaceComment(stated.space) + " in the header";
   return stated;
 }
 
@@ -76,16 +97,16 @@ void requireFinitePoints(vtkPolyData* surface, const std::string& path) {
 }
 
 /// .vtp, .vtk and .stl.
-void readWithVtk(const std::string& path, std::optional<CoordinateSpace> assumed, vtkPolyData* output) {
+void readWithVtk(const std::string& path, const Assertion& assumed, vtkPolyData* output) {
   authalic::readVtkSurface(path, output);
   requireFinitePoints(output, path);
   authalic::SurfaceFile surface = statedSpace(output, path);
-  const CoordinateSpace space = assumed.value_or(surface.space);
-  const bool moves = space == CoordinateSpace::TkRAS || space == CoordinateSpace::LPS;
+  const CoordinateSpace space = assumed.space.value_or(surface.space);
+  const bool moves = space != CoordinateSpace::Unknown && space != CoordinateSpace::ScannerRAS;
   if (moves) {
     authalic::copyPoints(output, surface);
   }
-  authalic::toScannerRas(surface, assumed);
+  toScannerRas(surface, assumed);
   if (moves) {
     authalic::setPoints(output, surface);
   }
@@ -100,7 +121,7 @@ authalic::SurfaceFile wholeSurface(const std::string& path) {
   const bool vtk = authalic::isVtkSurfaceName(path);
   vtkNew<vtkPolyData> polyData;
   if (vtk) {
-    readWithVtk(path, std::nullopt, polyData);
+    readWithVtk(path, {}, polyData);
   }
   authalic::SurfaceFile whole = vtk ? authalic::toSurfaceFile(polyData) : authalic::readSurface(path);
   if (vtk || authalic::extensionOf(path) == ".gii") {
@@ -109,8 +130,7 @@ authalic::SurfaceFile wholeSurface(const std::string& path) {
   return whole;
 }
 
-void readPatchOf(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
-                 vtkPolyData* output) {
+void readPatchOf(const std::string& path, const char* whole, const Assertion& assumed, vtkPolyData* output) {
   if (!whole || !*whole) {
     throw authalic::InvalidArgument(
         path +
@@ -119,7 +139,7 @@ void readPatchOf(const std::string& path, const char* whole, std::optional<Coord
   }
   const authalic::PatchFile patch = authalic::readPatch(path);
   authalic::SurfaceFile surface = authalic::patchSurface(path, patch, wholeSurface(whole));
-  authalic::toScannerRas(surface, assumed);
+  toScannerRas(surface, assumed);
   authalic::setSurface(output, surface);
   authalic::addIds(output->GetPointData(), "OriginalPointIds", patch.vertices);
   authalic::addArray(output->GetPointData(), "PatchBorder",
@@ -157,8 +177,7 @@ std::string otherMetadata(const authalic::SurfaceFile& surface, vtkPolyData* out
 }
 
 /// Returns what was passed over.
-std::string readAny(const std::string& path, const char* whole, std::optional<CoordinateSpace> assumed,
-                    vtkPolyData* output) {
+std::string readAny(const std::string& path, const char* whole, const Assertion& assumed, vtkPolyData* output) {
   if (authalic::isVtkSurfaceName(path)) {
     readWithVtk(path, assumed, output);
     return "";
@@ -168,7 +187,7 @@ std::string readAny(const std::string& path, const char* whole, std::optional<Co
     readPatchOf(path, whole, assumed, output);
   } else {
     authalic::SurfaceFile surface = authalic::readSurface(path);
-    authalic::toScannerRas(surface, assumed);
+    toScannerRas(surface, assumed);
     authalic::setSurface(output, surface);
     const std::string metadata = otherMetadata(surface, output);
     notRead = surface.notRead + (surface.notRead.empty() || metadata.empty() ? "" : ", ") + metadata;
@@ -188,8 +207,11 @@ void vtkSurfaceFileReader::Compute(vtkInformationVector**, vtkInformationVector*
     throw authalic::InvalidArgument("A file to read is needed; call SetFileName.");
   }
   this->NotRead.clear();
-  this->NotRead = readAny(this->FileName, this->WholeFileName, asserted(this->AssumeSpace),
-                          vtkPolyData::GetData(outputs));
+  Assertion assumed{asserted(this->AssumeSpace), std::nullopt};
+  if (this->VolumeFileName && *this->VolumeFileName) {
+    assumed.volume = authalic::readVolumeGeometry(this->VolumeFileName);
+  }
+  this->NotRead = readAny(this->FileName, this->WholeFileName, assumed, vtkPolyData::GetData(outputs));
 }
 
 int vtkSurfaceFileReader::RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -203,6 +225,7 @@ void vtkSurfaceFileReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "WholeFileName: " << (this->WholeFileName ? this->WholeFileName : "(none)") << "\n";
+  os << indent << "VolumeFileName: " << (this->VolumeFileName ? this->VolumeFileName : "(none)") << "\n";
   os << indent << "NotRead: " << this->NotRead << "\n";
   os << indent << "AssumeSpace: " << this->AssumeSpace << "\n";
 }

@@ -10,7 +10,8 @@
  * and .vtk, overlays of .mz3 as `Overlay`, `Overlay2` … (float) and its colours as `Colors` (4 unsigned chars), of a
  * patch `OriginalPointIds` and `PatchBorder` (int, 1 on the border). Points are brought to scanner RAS mm when the
  * file states its space or AssumeSpace asserts it, tkRAS by the full formula x = D P⁻¹ x_tk + c_ras; otherwise they
- * stay as they are and CoordinateSpace is "unknown".
+ * stay as they are and CoordinateSpace is "unknown". The words of 3D Slicer (SPACE=LPS or RAS in the header, the field
+ * SPACE of .vtp) go before a field CoordinateSpace of the file: Slicer leaves that when it turns the coordinates.
  *
  * | field data | type | meaning |
  * |---|---|---|
@@ -42,7 +43,8 @@ public:
     AS_STATED = 0,
     SCANNER_RAS = 1,
     TK_RAS = 2,
-    LPS = 3
+    LPS = 3,
+    VOXEL = 4
   };
 
   ///@{
@@ -53,13 +55,22 @@ public:
 
   ///@{
   /** The space to take the coordinates to be in whatever the file says: AS_STATED (0, believe the file; default),
-   * SCANNER_RAS (1), TK_RAS (2; the file must carry the volume geometry), LPS (3). */
-  vtkSetClampMacro(AssumeSpace, int, AS_STATED, LPS);
+   * SCANNER_RAS (1), TK_RAS (2), LPS (3), VOXEL (4; indices, whole numbers at the middles of voxels). TK_RAS and VOXEL
+   * need the volume geometry: of VolumeFileName, else the one that the file carries. */
+  vtkSetClampMacro(AssumeSpace, int, AS_STATED, VOXEL);
   vtkGetMacro(AssumeSpace, int);
   void SetAssumeSpaceToAsStated() { this->SetAssumeSpace(AS_STATED); }
   void SetAssumeSpaceToScannerRAS() { this->SetAssumeSpace(SCANNER_RAS); }
   void SetAssumeSpaceToTkRAS() { this->SetAssumeSpace(TK_RAS); }
   void SetAssumeSpaceToLPS() { this->SetAssumeSpace(LPS); }
+  void SetAssumeSpaceToVoxel() { this->SetAssumeSpace(VOXEL); }
+  ///@}
+
+  ///@{
+  /** The volume that the surface belongs to (NIfTI or MGH): its geometry goes before the one that the file carries.
+   * Default none. */
+  vtkSetFilePathMacro(VolumeFileName);
+  vtkGetFilePathMacro(VolumeFileName);
   ///@}
 
   ///@{
@@ -81,6 +92,7 @@ protected:
 
   char* FileName = nullptr;
   char* WholeFileName = nullptr;
+  char* VolumeFileName = nullptr;
   int AssumeSpace = AS_STATED;
   std::string NotRead;
 

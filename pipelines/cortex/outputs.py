@@ -14,6 +14,7 @@ import authalic
 import colours
 import numbers_table
 import report
+import whole_file
 from hemisphere import AUTHALIC, INITIAL, SIDES
 from stages import StageError
 
@@ -178,9 +179,7 @@ def write_report(hemisphere, options, stages):
         "seconds": stages.seconds,
     }
     path = options.out / hemisphere.side / "report.json"
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(json.dumps(content, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-    partial.replace(path)
+    whole_file.write_text(path, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
 
 
 def inputs(options):

@@ -2,6 +2,8 @@
 import base64
 import html
 
+import whole_file
+
 TITLES = {"lh": "Left hemisphere", "rh": "Right hemisphere"}
 
 # picture: (heading, what one sees, what to look for)
@@ -87,9 +89,7 @@ def write(path, title, lead, tables, pictures, warnings):
     body = "\n".join(parts)
     text = (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>\n'
             f"<style>{STYLE}</style></head>\n<body>\n{body}\n</body></html>\n")
-    partial = path.with_name(path.name + ".partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(path)
+    whole_file.write_text(path, text)
 
 
 def _figure(heading, seen, look, shown):

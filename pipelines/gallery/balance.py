@@ -14,7 +14,7 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, colours
+from show import Gallery, colours, write_text
 
 COLOURS = ((0.84, 0.37, 0.00), (0.00, 0.35, 0.70), (0.55, 0.55, 0.55))  # Okabe and Ito: angles, areas; transport alone
 
@@ -32,8 +32,8 @@ columns = list(curve.table)
 rows = [columns] + [[f"{value:.9g}" if isinstance(value, float) else str(value) for value in row]
                     for row in zip(*(column.tolist() for column in curve.table.values()))]
 text = "\n".join("\t".join(row) for row in rows) + "\n"
-(options.out / "curve.tsv").write_text(text, encoding="utf-8")
-(options.out / "curve.json").write_text(json.dumps(curve.report, indent=2) + "\n", encoding="utf-8")
+write_text(options.out / "curve.tsv", text)
+write_text(options.out / "curve.json", json.dumps(curve.report, indent=2) + "\n")
 print(text, end="")
 print(f"{curve.status}; {curve.report['seconds']['total']:.1f} s for {options.balances} maps")
 

@@ -10,7 +10,7 @@ import time
 
 import authalic
 import surfaces
-from show import Gallery, colours
+from show import Gallery, colours, write_text
 
 METRICS = ("area_distortion", "angle_distortion", "face_log_area_ratio_max_abs", "angle_error_mean_degrees",
            "flipped_faces")
@@ -32,7 +32,7 @@ for method in options.methods:
                  f"{time.process_time() - begin:.2f}"])
 table = "\n".join("\t".join(row) for row in [["method", "status", *METRICS, "cpu_s"], *rows])
 print(table)
-(options.out / "methods.tsv").write_text(table + "\n", encoding="utf-8")
+write_text(options.out / "methods.tsv", table + "\n")
 
 gallery = Gallery()
 for method in options.methods[:2]:

@@ -14,7 +14,7 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, colours
+from show import Gallery, colours, write_text
 
 METRICS = ("angle_distortion", "angle_error_mean_degrees", "angle_error_sd_degrees", "angle_error_p50_degrees",
            "angle_error_p95_degrees", "quasi_conformal_mean", "beltrami_mean", "area_distortion", "flipped_faces")
@@ -38,7 +38,7 @@ for road in options.roads:
                  f"{time.process_time() - begin:.2f}"])
 table = "\n".join("\t".join(row) for row in [["road", "status", *METRICS, "cpu_s"], *rows])
 print(table)
-(options.out / "roads.tsv").write_text(table + "\n", encoding="utf-8")
+write_text(options.out / "roads.tsv", table + "\n")
 
 first = maps[options.roads[0]]
 authalic.write_surface(options.out / "sphere.vtp", first.to_vtk())

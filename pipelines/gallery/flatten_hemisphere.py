@@ -11,7 +11,7 @@ import json
 
 import authalic
 import surfaces
-from show import Gallery, by_place, colours
+from show import Gallery, by_place, colours, write_text
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 surfaces.add_options(parser)
@@ -30,7 +30,7 @@ off = flat.face_arrays["AreaDistortion"]
 print(f"areas: {abs(off).max():.3f} at most, flipped faces: {flat.metrics['flipped_faces']}")
 
 authalic.write_surface(options.out / "map.vtp", flat)
-(options.out / "map.json").write_text(json.dumps(flat.report, indent=1), encoding="utf-8")
+write_text(options.out / "map.json", json.dumps(flat.report, indent=1))
 gallery = Gallery()
 place = by_place(flat.image)
 gallery.add("cortex, coloured by its place on the map", disk, disk.points, surfaces.lateral(disk), place)

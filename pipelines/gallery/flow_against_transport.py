@@ -15,7 +15,7 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, histograms
+from show import Gallery, histograms, write_text
 
 COLOURS = ((0.00, 0.35, 0.70), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.84, 0.37, 0.00))
 
@@ -54,7 +54,7 @@ header = ["factor", "flow_status", "transport_status", "flow_cost", "transport_c
           "transport_flipped_faces"]
 text = "\n".join("\t".join(row) for row in [header, *rows])
 print(text)
-(options.out / "flow.tsv").write_text(text + "\n", encoding="utf-8")
+write_text(options.out / "flow.tsv", text + "\n")
 inside = np.ravel(moved.point_arrays["RegionsOfInterest"]) > 0
 dark = np.floor(authalic.flatten(disk).image * 8).astype(int).sum(axis=1) % 2 == 1
 rgb = np.where(inside[:, None], np.uint8([205, 92, 60]), np.uint8([205, 200, 190]))

@@ -13,7 +13,7 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, colours
+from show import Gallery, colours, write_text
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 surfaces.add_options(parser)
@@ -46,8 +46,7 @@ print(f"{elements.summary['elements']} elements of {np.median(elements.table['ar
 columns = ("element_id", "centroid_x_mm", "centroid_y_mm", "centroid_z_mm", "area_mm2", "pet_mean", "pet_sd",
            "pet_coverage")
 rows = zip(*(elements.table[name] for name in columns))
-(options.out / "pet.tsv").write_text("\n".join(["\t".join(columns), *("\t".join(map(str, row)) for row in rows), ""]),
-                                     encoding="utf-8")
+write_text(options.out / "pet.tsv", "\n".join(["\t".join(columns), *("\t".join(map(str, row)) for row in rows), ""]))
 
 means = np.append(elements.table["pet_mean"], np.nan)[elements.face_ids - 1]
 shown = authalic.Surface(flat.points, flat.faces, flat.point_arrays, {**flat.face_arrays, "Mean": means})

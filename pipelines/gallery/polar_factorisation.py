@@ -18,7 +18,7 @@ import numpy as np
 
 import authalic
 import surfaces
-from show import Gallery, by_place
+from show import Gallery, by_place, write_text
 
 CHUNK = 1000
 
@@ -65,7 +65,7 @@ def main():
                      *(f"{cost:.5g}" for cost in costs)])
     text = "\n".join("\t".join(row) for row in rows)
     print(text)
-    (options.out / "polar.tsv").write_text(text + "\n", encoding="utf-8")
+    write_text(options.out / "polar.tsv", text + "\n")
     gallery, colours = Gallery(), by_place(place.image)
     for caption, image in (("the disk, by place", place.image), ("s: measure-preserving", finished.image),
                            ("F = grad u of s", given.image)):

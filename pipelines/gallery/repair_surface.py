@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 
 import authalic
 import surfaces
-from show import Gallery
+from show import Gallery, write_text
 
 GREY, RED = (200, 200, 200), (210, 40, 40)
 
@@ -76,7 +76,7 @@ given = dataclasses.replace(given, points=given.points * options.scale)
 result = authalic.repair(given)
 print(result.summary or "nothing to repair")
 authalic.write_surface(options.out / "repaired.vtp", result)
-(options.out / "repair.json").write_text(json.dumps(result.report, indent=1) + "\n", encoding="utf-8")
+write_text(options.out / "repair.json", json.dumps(result.report, indent=1) + "\n")
 print(f"now: {result.report['topology']['summary']}")
 if "handles" in result.changes:
     draw(given, result, options.out / "repair.png")

@@ -11,6 +11,7 @@ import colours  # noqa: E402
 import histograms  # noqa: E402
 import render  # noqa: E402
 import scenes  # noqa: E402
+from whole_file import write_text  # noqa: E402 F401  for the scripts
 
 import authalic  # noqa: E402
 

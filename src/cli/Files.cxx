@@ -29,7 +29,7 @@
 namespace authalic::cli {
 namespace {
 
-const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras", "lps"};
+const std::vector<std::string> spaces = {"stated", "scanner-ras", "tkras", "lps", "voxel"};
 const std::vector<std::string> transforms = {"automatic", "sform", "qform"};
 
 bool endsWith(const std::string& text, const std::string& ending) {
@@ -78,9 +78,10 @@ bool isDataFile(const std::string& path) {
 void SpaceOption::declare(CLI::App* verb) {
   verb->add_option("--space", name,
                    "Space of the surface's coordinates: what the file states, or stated by you: " + oneOf(spaces) +
-                       ". tkras needs the volume geometry in the file.")
+                       ". tkras and voxel need the volume geometry, of --volume or in the file.")
       ->type_name("SPACE")
       ->capture_default_str();
+  verb->add_option("--volume", volume, "The volume whose tkras or voxels the surface is in.")->type_name("FILE");
   verb->add_option("--whole", whole, "The surface that a FreeSurfer patch was cut from, which has its faces.")
       ->type_name("FILE");
 }
@@ -89,6 +90,7 @@ ReadSurface readWholeSurface(const std::string& path, const Session& session, co
   vtkNew<vtkSurfaceFileReader> reader;
   reader->SetFileName(path.c_str());
   reader->SetAssumeSpace(choice("--space", space.name, spaces));
+  if (!space.volume.empty()) reader->SetVolumeFileName(space.volume.c_str());
   if (!space.whole.empty()) reader->SetWholeFileName(space.whole.c_str());
   update(reader.Get(), session);
   return {reader->GetOutput(), reader->GetNotRead()};

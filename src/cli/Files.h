@@ -23,6 +23,7 @@ using OrderedJson = nlohmann::ordered_json;
 /// The options that say how a surface is to be read, and what they were given.
 struct SpaceOption {
   std::string name = "stated";
+  std::string volume;  ///< whose tkRAS or voxels the coordinates are
   std::string whole;  ///< the surface that a patch was cut from
   void declare(CLI::App* verb);
 };

@@ -111,6 +111,41 @@ class Spaces(Formats):
         only_centre = [x + c for x, c in zip(p, (3.5, -20.25, 7))]
         self.assertGreater(max(abs(a - b) for a, b in zip(only_centre, expected)), 1)
 
+    def test_voxels_and_tkras_are_those_of_the_volume_that_is_named(self):
+        turn = ((0.0, -1.2, 0.0, 5.0), (0.8, 0.0, 0.3, -7.0), (0.1, 0.0, 1.5, 2.0))  # voxel to world, sheared
+        self.nifti("v.nii", 1, 0, 0)
+        header = bytearray(self.bytes("v.nii"))
+        struct.pack_into("<12f", header, 280, *(x for row in turn for x in row))
+        self.path("v.nii").write_bytes(header)
+        dimensions = struct.unpack_from("<3h", header, 42)
+        white(self.path("bare.white"), geometry="")
+        self.succeeds("convert", "bare.white", "placed.obj", "--space", "voxel", "--volume", "v.nii", "-q")
+        self.assertIn("asserted by the user as voxel",
+                      self.lines_of("bare.white", "--space", "voxel", "--volume", "v.nii")["space"])
+        for ours, voxel in zip(self.obj_points("placed.obj"), self.points):
+            for x, row in zip(ours, turn):
+                self.assertAlmostEqual(x, sum(a * b for a, b in zip(row, voxel)) + row[3], places=4)
+        self.succeeds("convert", "v.nii", "v.mgz", "-q")
+        for name in ("v.nii", "v.mgz"):  # tkRAS has its origin in the middle of the volume
+            self.succeeds("convert", "bare.white", "o.obj", "--space", "tkras", "--volume", name, "-q")
+            middle = [sum(a * n / 2 for a, n in zip(row, dimensions)) + row[3] for row in turn]
+            size = sum(row[1]**2 for row in turn)**0.5
+            x, y, z = self.points[40]
+            self.assertEqual((x, y), (0, 0))
+            expected = [m - row[1] / size * z for m, row in zip(middle, turn)]  # D P^-1: z of tkRAS goes along -yras
+            for x, y in zip(self.obj_points("o.obj")[40], expected):
+                self.assertAlmostEqual(x, y, places=4)
+        self.assertIn("--volume", self.fails(5, "convert", "bare.white", "o.vtp", "--space", "voxel"))
+        self.nifti("lost.nii", 0, 0, 0)
+        self.nifti("apart.nii", 4, 1, 3)
+        for name, words in (("lost.nii", "--space scanner-ras"), ("apart.nii", "--transform"),
+                            ("gone.nii", "gone.nii")):
+            self.assertIn(words, self.fails(5, "info", "bare.white", "--space", "voxel", "--volume", name))
+
+    def obj_points(self, name):
+        lines = self.path(name).read_text().splitlines()
+        return [tuple(map(float, line.split()[1:4])) for line in lines if line.startswith("v ")]
+
     def test_lps_turns_x_and_y_and_is_stated(self):
         ras = self.first_point("lh.white")
         for name in ("l.ply", "l.obj", "l.stl", "l.vtk", "l.vtp"):

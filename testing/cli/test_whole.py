@@ -6,6 +6,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import struct
@@ -141,6 +142,10 @@ class EveryVerb(Formats):
         yield ("density", self.sheet, "-o", "o.vtp", "--curvature-measure", "gaussian"), ["o.vtp"]
         yield ("balance", self.sheet, "-o", "o.tsv", "--values", "2", "--allow-nonconverged"), ["o.tsv", "o.json"]
         yield ("convert", phantom, "o.nii.gz"), ["o.nii.gz"]
+        for half in ("upper", "lower"):
+            self.succeeds("map", "mean-value", fixtures / f"{half}_shell.off", "-o", f"{half}.vtp", "-q")
+        yield ("weld", "upper.vtp", "lower.vtp", "-o", "o.vtp", "--report", "o.json"), ["o.vtp", "o.json"]
+        yield ("extract", phantom, "-o", ".", "--json", "o.json"), ["lh.white.vtp", "rh.white.vtp", "o.json"]
 
     def is_whole(self, name):
         if name.endswith(".json"):
@@ -156,8 +161,9 @@ class EveryVerb(Formats):
         return content == b"old" or (self.is_whole(name) and abs(len(content) - new) < 100)
 
     def test_full_disks_and_kills_leave_the_old_file_or_a_whole_one_and_read_only_folders_nothing(self):
-        tried = 0
+        tried, verbs = 0, set()
         for words, outputs in self.commands():
+            verbs.add(words[0])
             self.succeeds(*words)
             new = {name: len(self.bytes(name)) for name in outputs}
             self.assertTrue(all(map(self.is_whole, outputs)), words)
@@ -179,6 +185,8 @@ class EveryVerb(Formats):
                 path.unlink()
             self.read_only(words, outputs)
         self.assertGreater(tried, 40)
+        listed = self.succeeds("--help").split("VERBS")[1].split("OPTIONS")[0]
+        self.assertEqual(verbs, set(re.findall(r"^    (\w+): ", listed, re.MULTILINE)))
 
     def read_only(self, words, outputs):
         if os.geteuid() == 0 and not shutil.which("setpriv"):
@@ -189,7 +197,7 @@ class EveryVerb(Formats):
             path.chmod(0o755 if path.is_dir() else 0o644)
         closed.chmod(0o555)
         user = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
-        moved = ["closed/" + str(word) if word in outputs else str(word) for word in words]
+        moved = ["closed/" + str(word) if word in (*outputs, ".") else str(word) for word in words]
         result = subprocess.run([*user, ARGUMENTS.authalic, *moved], cwd=self.here, capture_output=True, text=True)
         self.assertEqual(result.returncode, 5, (words, result.stderr))
         self.assertEqual(list(closed.iterdir()), [])

@@ -54,6 +54,11 @@ class HostileFiles : public ::testing::TestWithParam<int> {
     }
     return false;
   }
+  /// Formats without counts, and one whose footer may be missing: a part of such a file is a file.
+  bool hasNoEnd() const {
+    return hostile.name == std::string("t.txt") || hostile.name == std::string("s.obj") ||
+           hostile.name == std::string("lh.white");
+  }
   /// What is inside a gzip file.
   std::string unpacked() const {
     const auto bytes = readBytes(path, 1U << 24);
@@ -90,14 +95,14 @@ long peakMegabytes() {
 
 }  // namespace
 
-TEST_P(HostileFiles, TruncatedAnywhereAreRefusedOrConsistent) {
+TEST_P(HostileFiles, TruncatedAnywhereAreRefused) {
   const std::string bytes = whole();
   ASSERT_TRUE(accepts(bytes)) << hostile.name;
   const std::string inside = isPacked(bytes) ? unpacked() : "";
   for (std::size_t part = 0; part < 37; ++part) {
-    accepts(bytes.substr(0, bytes.size() * part / 37));
+    EXPECT_FALSE(accepts(bytes.substr(0, bytes.size() * part / 37)) && !hasNoEnd()) << part;
     if (!inside.empty()) {
-      accepts(packed(inside.substr(0, inside.size() * part / 37)));
+      EXPECT_FALSE(accepts(packed(inside.substr(0, inside.size() * part / 37)))) << part;
     }
   }
   EXPECT_FALSE(accepts(""));

@@ -111,6 +111,23 @@ TEST(Annotations, ComeBackWithTableAndVerticesWithoutRegion) {
   EXPECT_EQ(copy.regions[1].rgba, original.regions[1].rgba);
 }
 
+TEST(Annotations, WithoutTheirTableAreReadAndRefusedWhereItIsCut) {
+  const TemporaryFolder folder;
+  std::vector<std::uint8_t> bytes;
+  for (const std::int32_t number : {1, 0, 5, 0}) {  // a vertex and its colour; no table
+    encode(bytes, number, ByteOrder::Big);
+  }
+  for (std::size_t length = bytes.size(); length >= 12; --length) {
+    std::ofstream(folder / "a.annot", std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(length));
+    if (length == 16 || length == 12) {
+      EXPECT_EQ(readAnnot(folder / "a.annot").labels, (std::vector<std::int32_t>{5}));
+    } else {
+      EXPECT_THROW(static_cast<void>(readAnnot(folder / "a.annot")), FormatError) << length;
+    }
+  }
+}
+
 TEST(Annotations, WhatColoursCannotTellApartIsRefused) {
   const TemporaryFolder folder;
   const Region black{0, "black", {0, 0, 0, 255}}, red{1, "red", {255, 0, 0, 255}}, alsoRed{2, "also", {255, 0, 0, 9}};
@@ -124,6 +141,8 @@ TEST(VertexLists, LabelsAndSparseValuesComeBack) {
   writeLabel(folder / "l.label", {3, 1}, {0, 1, 2, 3, 4, 5}, {0.5F, 1}, CoordinateSpace::TkRAS);
   EXPECT_EQ(readLabel(folder / "l.label").vertices, (std::vector<int>{3, 1}));
   EXPECT_EQ(readLabel(folder / "l.label").values, (std::vector<float>{0.5F, 1}));
+  std::ofstream(folder / "cut.label") << "#!ascii label\n2\n1 0.5 1 2 3\n2 1 2 3";  // before its last value
+  EXPECT_NE(messageOf([&] { static_cast<void>(readLabel(folder / "cut.label")); }).find("entry 1"), std::string::npos);
   writePaint(folder / "v.w", {1, std::nanf(""), 3});
   EXPECT_EQ(readPaint(folder / "v.w").vertices, (std::vector<int>{0, 2}));
   EXPECT_NE(messageOf([&] { static_cast<void>(readVertexScalars(folder / "v.w")); }).find("give the surface"),

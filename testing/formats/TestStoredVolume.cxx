@@ -8,11 +8,14 @@
 #include "Formats/ByteCursor.h"
 #include "Formats/InputFile.h"
 #include "Formats/StoredVolume.h"
+#include "support/Nifti2Bytes.h"
 #include "support/TemporaryFolder.h"
 
 namespace {
 
 using namespace authalic;
+using authalic::testing::nifti2Bytes;
+using authalic::testing::Nifti2Fields;
 using authalic::testing::TemporaryFolder;
 
 StoredVolume counting(VoxelType type, int frames) {
@@ -141,18 +144,10 @@ TEST(StoredVolume, TheTransformAskedForIsTakenOrRefused) {
 
 TEST(StoredVolume, NotesThatNifti1CannotHoldAreNotKeptAndNothingIsPrinted) {
   const TemporaryFolder folder;
-  std::vector<std::uint8_t> bytes(544 + 8, 0);
-  const auto put = [&bytes](std::size_t at, auto number) { std::memcpy(bytes.data() + at, &number, sizeof(number)); };
-  put(0, std::int32_t{540});
-  std::memcpy(bytes.data() + 4, "n+2\0\r\n\x1A\n", 8);
-  put(12, std::int16_t{2});
-  put(14, std::int16_t{8});
-  for (std::size_t axis = 0; axis < 8; ++axis) {
-    put(16 + 8 * axis, std::int64_t{axis == 0 ? 3 : axis < 4 ? 2 : 1});
-    put(104 + 8 * axis, 1.0);
-  }
-  put(168, std::int64_t{544});
-  put(504, std::int32_t{768000});  // an intent beyond 16 bits
+  Nifti2Fields fields;
+  fields.intentCode = 768000;  // beyond 16 bits
+  std::vector<std::uint8_t> bytes = nifti2Bytes(fields);
+  bytes.resize(bytes.size() + 8, 0);
   write(folder / "v.nii", bytes);
   ::testing::internal::CaptureStderr();
   const StoredVolume file = readStoredVolume(folder / "v.nii", everything);

@@ -172,6 +172,25 @@ TEST(SurfaceFile, FollowsUnknownTagsAndKeepsGeometryWhenTheyLeadNowhere) {
   EXPECT_EQ(readSurface(folder / "b").space, CoordinateSpace::TkRAS);
 }
 
+TEST(SurfaceFile, AFooterThatEndsAnywhereInItsGeometryPlacesNothing) {
+  const TemporaryFolder folder;
+  SurfaceFile original = sphere();
+  original.geometry = obliqueGeometry();
+  original.space = CoordinateSpace::TkRAS;
+  writeFreeSurferSurface(folder / "a", original);
+  std::ifstream input(folder / "a", std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(input)), {});
+  bytes.resize(bytes.rfind("cras"));
+  bytes += "cras   = 1.5 -2 35.25\n";
+  const std::size_t text = bytes.rfind("valid = 1");
+  for (std::size_t length = bytes.size(); length > text - 8; --length) {
+    std::ofstream(folder / "b", std::ios::binary) << bytes.substr(0, length);
+    EXPECT_EQ(readSurface(folder / "b").space,
+              length == bytes.size() ? CoordinateSpace::TkRAS : CoordinateSpace::Unknown)
+        << length;
+  }
+}
+
 TEST(SurfaceFile, GzipIsUndoneWhateverTheKind) {
   const TemporaryFolder folder;
   const SurfaceFile original = sphere();

@@ -53,6 +53,17 @@ class Files(unittest.TestCase):
             self.assertTrue(np.array_equal(back.faces, faces), name)
             self.assertLessEqual(np.abs(back.points - points).max(), off, name)
 
+    def test_voxel_indices_become_scanner_ras_by_the_volume(self):
+        volume, (indices, faces) = linear_volume(), sphere(2)
+        indices = 8 * indices + [30, 20, 15]
+        authalic.write_volume(self.here / "v.nii", volume)
+        authalic.write_surface(self.here / "a.ply", indices, faces)
+        placed = authalic.read_surface(self.here / "a.ply", space="voxel", volume=self.here / "v.nii")
+        expected = indices @ volume.affine[:3, :3].T + volume.affine[:3, 3]
+        self.assertLess(np.abs(placed.points - expected).max(), 1e-5)
+        with self.assertRaisesRegex(authalic.FormatError, "volume"):
+            authalic.read_surface(self.here / "a.ply", space="voxel")
+
     def test_volumes_come_back_and_say_what_they_lose(self):
         volume = linear_volume()
         whole = authalic.Volume(np.arange(24, dtype=np.int16).reshape(2, 3, 4), volume.affine)

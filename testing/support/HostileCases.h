@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -22,6 +21,7 @@
 #include "Formats/StoredVolume.h"
 #include "Formats/SurfaceFile.h"
 #include "Formats/VolumeFile.h"
+#include "support/Nifti2Bytes.h"
 #include "support/TestMeshes.h"
 
 namespace authalic::testing {
@@ -72,6 +72,11 @@ inline void readConsistentVolume(const std::string& path) {
   require(stored.framesHeld == file.frames, "frames");
 }
 
+inline void writeBytesOf(const std::string& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
 /// Two maps on a surface of ten vertices, of which four have values.
 inline void writeSmallCifti(const std::string& path) {
   const std::string xml =
@@ -82,32 +87,11 @@ inline void writeSmallCifti(const std::string& path) {
       "ModelType=\"CIFTI_MODEL_TYPE_SURFACE\" BrainStructure=\"CIFTI_STRUCTURE_CORTEX_LEFT\" "
       "SurfaceNumberOfVertices=\"10\"><VertexIndices>1 4 5 9</VertexIndices></BrainModel></MatrixIndicesMap></Matrix>"
       "</CIFTI>";
-  std::vector<std::uint8_t> bytes;
-  const auto at = [&bytes](std::size_t offset, auto value) {
-    bytes.resize(offset, 0);
-    encode(bytes, value, ByteOrder::Little);
-  };
-  const auto extension = static_cast<std::int32_t>(8 + xml.size());
-  at(0, std::int32_t{540});
-  for (const char c : {'n', '+', '2', '\0', '\r', '\n', '\x1A', '\n'}) {
-    bytes.push_back(static_cast<std::uint8_t>(c));
-  }
-  at(12, std::int16_t{16});
-  at(14, std::int16_t{32});
-  for (const std::int64_t d : {6, 1, 1, 1, 1, 2, 4, 1}) {
-    encode(bytes, d, ByteOrder::Little);
-  }
-  at(168, static_cast<std::int64_t>(544 + extension));
-  at(504, std::int32_t{3006});
-  at(540, std::uint8_t{1});
-  at(544, extension);
-  at(548, std::int32_t{32});
-  bytes.insert(bytes.end(), xml.begin(), xml.end());
+  std::vector<std::uint8_t> bytes = nifti2Bytes({16, 32, {6, 1, 1, 1, 1, 2, 4, 1}, 0, 3006, 32, xml});
   for (int i = 0; i < 8; ++i) {
     encode(bytes, static_cast<float>(i), ByteOrder::Little);
   }
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()),
-                                              static_cast<std::streamsize>(bytes.size()));
+  writeBytesOf(path, bytes);
 }
 
 inline void readConsistentCifti(const std::string& path) {
@@ -133,11 +117,6 @@ inline void readConsistentMz3(const std::string& path) {
     require(layer.size() == static_cast<std::size_t>(file.vertexCount), "an overlay of another length");
   }
   readConsistentSurface(path);
-}
-
-inline void writeBytesOf(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-  std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 /// Two quadrangles on six vertices, in either layout.
@@ -198,22 +177,14 @@ inline void writePlainGifti(const std::string& path, bool base64) {
 
 /// A NIfTI-2 volume of eight voxels with a qform and an extension.
 inline void writeNifti2(const std::string& path) {
-  std::vector<std::uint8_t> bytes(576, 0);
-  const auto put = [&bytes](std::size_t at, auto number) { std::memcpy(bytes.data() + at, &number, sizeof(number)); };
-  put(0, std::int32_t{540});
-  std::memcpy(bytes.data() + 4, "n+2\0\r\n\x1A\n", 8);
-  put(12, std::int16_t{4});
-  put(14, std::int16_t{16});
-  for (std::size_t axis = 0; axis < 8; ++axis) {
-    put(16 + 8 * axis, std::int64_t{axis == 0 ? 3 : axis < 4 ? 2 : 1});
-    put(104 + 8 * axis, 1.0);
-  }
-  put(168, std::int64_t{576});
-  put(344, std::int32_t{1});
-  put(540, std::int32_t{1});
-  put(544, std::int32_t{32});
-  put(548, std::int32_t{6});
-  bytes.resize(576 + 16, 1);
+  Nifti2Fields fields;
+  fields.datatype = 4;
+  fields.bitsPerVoxel = 16;
+  fields.qformCode = 1;
+  fields.extensionCode = 6;
+  fields.extension = std::string(24, '\0');
+  std::vector<std::uint8_t> bytes = nifti2Bytes(fields);
+  bytes.resize(bytes.size() + 16, 1);
   writeBytesOf(path, bytes);
 }
 

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkLeastSquaresConformalMap.h>
@@ -27,12 +25,14 @@
 #include "Core/initial/LeastSquaresConformalMap.h"
 #include "Core/initial/SymmetricDirichletMap.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::sphereMesh;
+using authalic::testing::VtkWords;
 
 vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -51,26 +51,6 @@ vtkSmartPointer<Filter> on(const TriangleMesh& mesh) {
   filter->SetInputData(0, polyData(mesh));
   return filter;
 }
-
-/// What a filter said last, kept from the console.
-class Words {
- public:
-  explicit Words(vtkAlgorithm* filter) {
-    note_->SetClientData(this);
-    note_->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-      static_cast<Words*>(self)->text_ = static_cast<const char*>(text);
-    });
-    filter->AddObserver(vtkCommand::ErrorEvent, note_);
-    filter->AddObserver(vtkCommand::WarningEvent, note_);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet_);
-  }
-  [[nodiscard]] bool contain(const std::string& words) const { return text_.find(words) != std::string::npos; }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  vtkNew<vtkCallbackCommand> note_, quiet_;
-  std::string text_;
-};
 
 /// The filter has this image, bit by bit, and says the same of itself.
 template <class Result>
@@ -180,7 +160,7 @@ TEST(YamabeMapFilter, RefusesTargetsThatNoMetricHas) {
   const DiskMesh disk(bumpyDisk(6));
   const auto refused = [&](const Eigen::VectorXd& curvature, const char* why) {
     const auto filter = on<vtkYamabeMap>(disk.mesh());
-    const Words words(filter);
+    const VtkWords words(filter);
     addCurvature(filter, curvature);
     filter->SetCurvatureArrayName("Turns");
     filter->Update();
@@ -195,7 +175,7 @@ TEST(YamabeMapFilter, RefusesTargetsThatNoMetricHas) {
   refused(curvature, "below");
   refused(Eigen::VectorXd::Constant(disk.mesh().vertexCount(), 0.1), "inner vertices");
   const auto filter = on<vtkYamabeMap>(disk.mesh());
-  const Words words(filter);
+  const VtkWords words(filter);
   filter->SetCurvatureArrayName("None");
   filter->Update();
   EXPECT_TRUE(words.contain("target curvature")) << words.text();
@@ -242,7 +222,7 @@ TEST(CurvatureFlowFilters, GiveTheCommonRefinementOnRequest) {
 TEST(ConformalFilters, GiveTheBestMapAndAWarningWhenTheyMayNotGoOn) {
   const DiskMesh disk(bumpyDisk(10));
   const auto check = [](vtkSurfaceMapAlgorithm* filter) {
-    const Words words(filter);
+    const VtkWords words(filter);
     filter->Update();
     EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::NOT_CONVERGED) << filter->GetClassName();
     EXPECT_EQ(filter->GetStatus(), "not-converged");
@@ -263,7 +243,7 @@ TEST(ConformalFilters, GiveTheBestMapAndAWarningWhenTheyMayNotGoOn) {
 
 TEST(ConformalFilters, RefuseAClosedSurfaceAndBadOptionsInWords) {
   const auto refused = [](vtkSurfaceMapAlgorithm* filter, int kind, const char* why) {
-    const Words words(filter);
+    const VtkWords words(filter);
     filter->Update();
     EXPECT_EQ(filter->GetErrorKind(), kind) << filter->GetClassName() << why;
     EXPECT_TRUE(words.contain(why)) << words.text();

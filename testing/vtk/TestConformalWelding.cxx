@@ -4,7 +4,6 @@
 #include <string>
 
 #include <vtkBarycentricMap.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkConformalWelding.h>
 #include <vtkDataArray.h>
@@ -19,12 +18,14 @@
 #include "Core/topology/LevelSetCut.h"
 #include "FieldArrays.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::wavySphere;
+using authalic::testing::wordsOf;
 
 LevelSetCutResult halves() {
   const SphereMesh sphere(wavySphere(3));
@@ -38,19 +39,6 @@ vtkSmartPointer<vtkPolyData> mapOf(const DiskMesh& disk, const Points2& image) {
   addArray(map->GetPointData(), "OriginalPoints", disk.mesh().points());
   setPoints(map, image);
   return map;
-}
-
-std::string wordsOf(vtkAlgorithm* filter) {
-  std::string words;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&words);
-  command->SetCallback([](vtkObject*, unsigned long, void* to, void* text) {
-    *static_cast<std::string*>(to) += static_cast<const char*>(text);
-  });
-  filter->AddObserver(vtkCommand::ErrorEvent, command);
-  filter->Update();
-  filter->RemoveObservers(vtkCommand::ErrorEvent);
-  return words;
 }
 
 TEST(ConformalWeldingFilter, HasTheImageOfCoreAndSaysWhereEverythingComesFrom) {

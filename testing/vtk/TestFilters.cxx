@@ -39,12 +39,14 @@
 #include "Core/topology/CutToDisk.h"
 #include "FieldArrays.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::sphereMesh;
+using authalic::testing::VtkWords;
 
 vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -79,27 +81,9 @@ std::string textField(vtkDataObject* object, const char* name) {
   return array ? std::string(array->GetValue(0)) : std::string();
 }
 
-/// What an algorithm said, kept from the console.
-class Words {
- public:
-  explicit Words(vtkAlgorithm* algorithm) {
-    command_->SetClientData(this);
-    command_->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-      static_cast<Words*>(self)->text_ += static_cast<const char*>(text);
-    });
-    algorithm->AddObserver(vtkCommand::ErrorEvent, command_);
-    algorithm->AddObserver(vtkCommand::WarningEvent, command_);
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  vtkNew<vtkCallbackCommand> command_;
-  std::string text_;
-};
-
 template <class Filter>
 std::string failureOf(Filter* filter, int kind) {
-  Words words(filter);
+  const VtkWords words(filter);
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), kind);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
@@ -276,7 +260,7 @@ TEST(LieFlowFilter, HasTheImageOfCoreAndItsDefaults) {
 
 TEST(LieFlowFilter, GivesTheBestIterateAndAWarningWhenItMayNotGoOn) {
   vtkNew<vtkDiscreteLieFlow> filter;
-  Words words(filter);
+  const VtkWords words(filter);
   filter->SetInputData(polyData(bumpyDisk(8)));
   filter->SetMaximumIterations(1);
   filter->SetMaximumFinishIterations(0);
@@ -463,7 +447,7 @@ TEST(ElementPipeline, StatisticsAskForTheGridFirst) {
   vtkNew<vtkBarycentricMap> map;
   map->SetInputData(polyData(bumpyDisk(4)));
   vtkNew<vtkElementStatistics> statistics;
-  Words words(statistics);
+  const VtkWords words(statistics);
   statistics->SetInputConnection(map->GetOutputPort());
   statistics->Update();
   EXPECT_EQ(statistics->GetErrorKind(), vtkSurfaceAlgorithm::ARGUMENT);

@@ -5,13 +5,11 @@
 #include <string>
 
 #include <vtkAnnulusMap.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCircleDomainAuthalicMap.h>
 #include <vtkCircleDomainLieFlow.h>
 #include <vtkCircleDomainMap.h>
 #include <vtkConformalFlowAlgorithm.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -25,6 +23,7 @@
 #include "Core/conformal/AnnulusMap.h"
 #include "Core/conformal/CircleDomainMap.h"
 #include "support/HoledMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
@@ -32,6 +31,7 @@ using namespace authalic;
 using authalic::testing::holedDisk;
 using authalic::testing::revolutionMesh;
 using authalic::testing::sphereMesh;
+using authalic::testing::wordsOf;
 
 TriangleMesh frustum() {
   return revolutionMesh(40, 6, [](double t) { return 2 - t; }, [](double t) { return 1.5 * t; });
@@ -60,15 +60,7 @@ double field(vtkDataObject* object, const char* name, int tuple = 0, int compone
 
 /// The sentence with which a filter refuses.
 std::string refusal(vtkSurfaceMapAlgorithm* filter, int kind) {
-  std::string text;
-  vtkNew<vtkCallbackCommand> note, quiet;
-  note->SetClientData(&text);
-  note->SetCallback([](vtkObject*, unsigned long, void* self, void* words) {
-    *static_cast<std::string*>(self) = static_cast<const char*>(words);
-  });
-  filter->AddObserver(vtkCommand::ErrorEvent, note);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, quiet);
-  filter->Update();
+  const std::string text = wordsOf(filter);
   EXPECT_EQ(filter->GetErrorKind(), kind);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   return text;
@@ -216,10 +208,8 @@ TEST(HoledFilters, RefuseOtherTopologiesAndBadOptionsInWords) {
 TEST(HoledFilters, WarnAndGiveTheBestMapWhenTheyMayNotGoOn) {
   const TriangleMesh mesh = threeLoops();
   const auto filter = on<vtkCircleDomainMap>(mesh);
-  vtkNew<vtkCallbackCommand> quiet;
-  filter->AddObserver(vtkCommand::WarningEvent, quiet);
   filter->SetMaximumIterations(1);
-  filter->Update();
+  EXPECT_SAYS(wordsOf(filter), "Not converged");
   EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::NOT_CONVERGED);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), mesh.vertexCount());
 }

@@ -7,23 +7,17 @@
 #include <fstream>
 #include <random>
 
-#include <vtkCommand.h>
-#include <vtkExecutive.h>
 #include <vtkSurfaceFileReader.h>
 
 #include "support/TemporaryFolder.h"
 #include "support/VtkHostileCases.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using authalic::testing::TemporaryFolder;
 using authalic::testing::vtkHostileCases;
-
-class Silence : public vtkCommand {
- public:
-  static Silence* New() { return new Silence; }
-  void Execute(vtkObject*, unsigned long, void*) override {}
-};
+using authalic::testing::VtkWords;
 
 class HostileVtkFiles : public ::testing::TestWithParam<int> {
  protected:
@@ -41,9 +35,7 @@ class HostileVtkFiles : public ::testing::TestWithParam<int> {
     std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << bytes;
     vtkNew<vtkSurfaceFileReader> reader;
-    vtkNew<Silence> silence;
-    reader->AddObserver(vtkCommand::ErrorEvent, silence);
-    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+    const VtkWords words(reader);
     reader->SetFileName(path.c_str());
     const std::clock_t begin = std::clock();
     reader->Update();
@@ -96,10 +88,11 @@ long peakMegabytes() {
 
 }  // namespace
 
-TEST_P(HostileVtkFiles, TruncatedAnywhereAreRefusedOrConsistent) {
+TEST_P(HostileVtkFiles, TruncatedAnywhereAreRefused) {
   const std::string bytes = whole();
+  const bool hasNoEnd = path.substr(path.size() - 4) == ".vtk";  // some whole sections are a file too
   for (std::size_t part = 0; part < 37; ++part) {
-    kindOf(bytes.substr(0, bytes.size() * part / 37));
+    EXPECT_TRUE(kindOf(bytes.substr(0, bytes.size() * part / 37)) != 0 || hasNoEnd) << part;
   }
   EXPECT_NE(kindOf(""), 0);
 }

@@ -1,21 +1,22 @@
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkSurfaceFileReader.h>
 #include <vtkSurfaceFileWriter.h>
 #include <vtkVertexDataReader.h>
 #include <vtkVertexDataWriter.h>
 #include <vtkVolumeFileReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
 #include <cstring>
@@ -29,19 +30,13 @@
 #include "support/SharedData.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using authalic::testing::sharedData;
 using authalic::testing::TemporaryFolder;
-
-/// Collects error messages so that they are not printed.
-class Words : public vtkCommand {
- public:
-  static Words* New() { return new Words; }
-  void Execute(vtkObject*, unsigned long, void* data) override { text += static_cast<const char*>(data); }
-  std::string text;
-};
+using authalic::testing::VtkWords;
 
 struct Outcome {
   int kind = -1;
@@ -52,19 +47,16 @@ struct Outcome {
 
 Outcome read(const std::string& path, int assume = vtkSurfaceFileReader::AS_STATED) {
   vtkNew<vtkSurfaceFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName(path.c_str());
   reader->SetAssumeSpace(assume);
   reader->Update();
-  return {reader->GetErrorKind(), reader->GetErrorCode(), words->text, reader->GetOutput()};
+  return {reader->GetErrorKind(), reader->GetErrorCode(), words.text(), reader->GetOutput()};
 }
 
 int write(vtkPolyData* surface, const std::string& path) {
   vtkNew<vtkSurfaceFileWriter> writer;
-  vtkNew<Words> words;
-  writer->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(writer);
   writer->SetInputData(surface);
   writer->SetFileName(path.c_str());
   const int done = writer->Write();
@@ -197,6 +189,55 @@ TEST(SurfaceFileReader, BringsTkRasToScannerRasAndBack) {
   }
 }
 
+TEST(SurfaceFileReader, BelievesSlicerThatTurnsTheCoordinatesAndLeavesOurFields) {
+  const TemporaryFolder folder;
+  const auto ras = sphere();
+  authalic::addField(ras, "CoordinateSpace", std::string("scanner-ras"));
+  ASSERT_EQ(write(ras, folder / "ras.vtp"), 0);
+  vtkNew<vtkXMLPolyDataReader> plain;
+  plain->SetFileName((folder / "ras.vtp").c_str());
+  plain->Update();
+  EXPECT_EQ(authalic::textField(plain->GetOutput(), "SPACE"), "RAS");  // else Slicer would take it for LPS
+  authalic::Points3 points = authalic::toPoints(ras);
+  points.leftCols(2) *= -1;
+  authalic::setPoints(plain->GetOutput(), points);
+  for (const bool ours : {true, false}) {  // a file of ours that Slicer saved again; one that Slicer made
+    if (!ours) plain->GetOutput()->GetFieldData()->RemoveArray("CoordinateSpace");
+    authalic::addField(plain->GetOutput(), "SPACE", std::string("LPS"));
+    vtkNew<vtkXMLPolyDataWriter> xml;
+    xml->SetInputData(plain->GetOutput());
+    xml->SetFileName((folder / "lps.vtp").c_str());
+    xml->Write();
+    plain->GetOutput()->GetFieldData()->RemoveArray("SPACE");
+    vtkNew<vtkPolyDataWriter> legacy;
+    legacy->SetInputData(plain->GetOutput());
+    legacy->SetFileName((folder / "lps.vtk").c_str());
+    legacy->SetHeader("3D Slicer output. SPACE=LPS");
+    legacy->Write();
+    for (const char* name : {"lps.vtp", "lps.vtk"}) {
+      const Outcome outcome = read(folder / name);
+      ASSERT_EQ(outcome.kind, 0) << outcome.words;
+      EXPECT_EQ(spaceOf(outcome.surface), "scanner-ras") << name;
+      EXPECT_LT(largestDifference(outcome.surface, ras), 1e-5) << name;
+      EXPECT_FALSE(outcome.surface->GetFieldData()->HasArray("SPACE"));
+      const std::string reason = authalic::textField(outcome.surface, "CoordinateSpaceReason");
+      EXPECT_EQ(reason.find("SPACE=LPS in the file"), 0U) << reason;
+      EXPECT_EQ(reason.find("CoordinateSpace") != std::string::npos, ours) << reason;
+    }
+  }
+}
+
+TEST(SurfaceFileReader, SaysThatAFieldDecidedWhenItGivesNoReason) {
+  const TemporaryFolder folder;
+  const auto surface = sphere();
+  authalic::addField(surface, "CoordinateSpace", std::string("scanner-ras"));
+  for (const char* name : {"s.vtp", "s.vtk"}) {
+    ASSERT_EQ(write(surface, folder / name), 0);
+    EXPECT_EQ(authalic::textField(read(folder / name).surface, "CoordinateSpaceReason"),
+              "field CoordinateSpace of the file");
+  }
+}
+
 TEST(SurfaceFileReader, TakesTheAssertedSpace) {
   const TemporaryFolder folder;
   const auto original = sphere();
@@ -323,9 +364,7 @@ TEST(VolumeFileReader, ReadsTheFrameAskedFor) {
   const std::string path = sharedData("volumes/edge/functional.nii");
   AUTHALIC_NEEDS(path);
   vtkNew<vtkVolumeFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName(path.c_str());
   reader->SetFrame(19);
   reader->Update();
@@ -334,14 +373,12 @@ TEST(VolumeFileReader, ReadsTheFrameAskedFor) {
   reader->SetFrame(20);
   reader->Update();
   EXPECT_EQ(reader->GetErrorKind(), vtkSurfaceAlgorithm::FORMAT);
-  EXPECT_NE(words->text.find("20 frames"), std::string::npos) << words->text;
+  EXPECT_TRUE(words.contain("20 frames")) << words.text();
 }
 
 TEST(VolumeFileReader, RefusesMissingAndColourFiles) {
   vtkNew<vtkVolumeFileReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetFileName("/nowhere/t1.nii.gz");
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
@@ -350,27 +387,24 @@ TEST(VolumeFileReader, RefusesMissingAndColourFiles) {
   reader->SetFileName(rgb.c_str());
   reader->Update();
   EXPECT_EQ(reader->GetErrorKind(), vtkSurfaceAlgorithm::FORMAT);
-  EXPECT_NE(words->text.find("RGB"), std::string::npos);
+  EXPECT_TRUE(words.contain("RGB")) << words.text();
 }
 
 namespace {
 
 Outcome addData(vtkPolyData* surface, const std::string& path, const char* name = nullptr) {
   vtkNew<vtkVertexDataReader> reader;
-  vtkNew<Words> words;
-  reader->AddObserver(vtkCommand::ErrorEvent, words);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(reader);
   reader->SetInputData(surface);
   reader->SetFileName(path.c_str());
   reader->SetArrayName(name);
   reader->Update();
-  return {reader->GetErrorKind(), reader->GetErrorCode(), words->text, reader->GetOutput()};
+  return {reader->GetErrorKind(), reader->GetErrorCode(), words.text(), reader->GetOutput()};
 }
 
 int writeData(vtkPolyData* surface, const std::string& path, std::initializer_list<const char*> names = {}) {
   vtkNew<vtkVertexDataWriter> writer;
-  vtkNew<Words> words;
-  writer->AddObserver(vtkCommand::ErrorEvent, words);
+  const VtkWords words(writer);
   writer->SetInputData(surface);
   writer->SetFileName(path.c_str());
   for (const char* name : names) {

@@ -10,7 +10,6 @@
 
 #include <vtkAuthalicMap.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkCurvatureDensity.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -34,6 +33,7 @@
 #include "support/SharedData.h"
 #include "support/TestMeshes.h"
 #include "support/TorusMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
@@ -41,6 +41,7 @@ using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::sphereMesh;
 using authalic::testing::torusMesh;
+using authalic::testing::wordsOf;
 
 vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -90,18 +91,6 @@ double imageShare(vtkPolyData* map, const Eigen::VectorXd& areas) {
   double sum = 0;
   for (int v = 0; v < stars.size(); ++v) sum += inside[static_cast<std::size_t>(v)] ? stars[v] : 0;
   return sum / stars.sum();
-}
-
-std::string errorOf(vtkAlgorithm* filter) {
-  struct Listener : vtkCommand {
-    static Listener* New() { return new Listener; }
-    void Execute(vtkObject*, unsigned long, void* data) override { text += static_cast<const char*>(data); }
-    std::string text;
-  };
-  vtkNew<Listener> listener;
-  filter->AddObserver(vtkCommand::ErrorEvent, listener);
-  filter->Update();
-  return listener->text;
 }
 
 template <class Filter>
@@ -206,7 +195,7 @@ TEST(RegionDensity, RefusesInWords) {
   const auto refused = [&](const std::function<void(vtkRegionDensity*)>& spoil, const char* words) {
     const auto filter = east(surface, 4);
     spoil(filter);
-    EXPECT_NE(errorOf(filter).find(words), std::string::npos) << words;
+    EXPECT_NE(wordsOf(filter).find(words), std::string::npos) << words;
     EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::ARGUMENT) << words;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << words;
   };
@@ -252,10 +241,10 @@ TEST(CurvatureDensity, LeadsAMapToItsMeasure) {
   EXPECT_EQ(map->GetStatus(), "converged");
   EXPECT_LT(field(map->GetOutput(), "VertexMaxAbsLog"), 1e-9);
   density->SetWeight(1);
-  EXPECT_NE(errorOf(density).find("from 0 to below 1"), std::string::npos);
+  EXPECT_NE(wordsOf(density).find("from 0 to below 1"), std::string::npos);
   density->SetWeight(0.5);
   density->SetCurvatureArrayName("Missing");
-  EXPECT_NE(errorOf(density).find("Missing"), std::string::npos);
+  EXPECT_NE(wordsOf(density).find("Missing"), std::string::npos);
 }
 
 TEST(LocalBalance, KeepsAnglesWhereItIsZeroAndAreasWhereItIsOne) {

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <string>
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkMapDistortion.h>
@@ -20,33 +19,19 @@
 #include "FieldArrays.h"
 #include "Reports/MapReport.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::wavySphere;
+using authalic::testing::wordsOf;
 
 vtkSmartPointer<vtkPolyData> polyData(const TriangleMesh& mesh) {
   auto result = vtkSmartPointer<vtkPolyData>::New();
   setMesh(result, mesh);
   return result;
-}
-
-/// Runs the filter with its words kept from the console; returns them.
-std::string wordsOf(vtkSurfaceAlgorithm* filter) {
-  std::string words;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&words);
-  command->SetCallback([](vtkObject*, unsigned long, void* to, void* text) {
-    *static_cast<std::string*>(to) += static_cast<const char*>(text);
-  });
-  filter->AddObserver(vtkCommand::ErrorEvent, command);
-  filter->AddObserver(vtkCommand::WarningEvent, command);
-  filter->Update();
-  filter->RemoveObservers(vtkCommand::ErrorEvent);
-  filter->RemoveObservers(vtkCommand::WarningEvent);
-  return words;
 }
 
 std::string withoutSpace(std::string text) {

@@ -7,7 +7,6 @@
 
 #include <vtkAuthalicMap.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
@@ -22,6 +21,7 @@
 #include "Reports/RepairReport.h"
 #include "support/TestMeshes.h"
 #include "support/TorusMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
@@ -29,6 +29,7 @@ using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::sphereMesh;
 using authalic::testing::torusMesh;
+using authalic::testing::wordsOf;
 
 /// With the number of every point and cell as data.
 vtkSmartPointer<vtkPolyData> numbered(const Points3& points, const Faces& faces) {
@@ -61,19 +62,6 @@ vtkSmartPointer<vtkPolyData> brokenTorus() {
   faces << torus.faces(), torus.faces().row(40);
   std::swap(faces(10, 0), faces(10, 1));
   return numbered(points, faces);
-}
-
-struct Words : vtkCommand {
-  static Words* New() { return new Words; }
-  void Execute(vtkObject*, unsigned long, void* data) override { text += static_cast<const char*>(data); }
-  std::string text;
-};
-
-std::string wordsOf(vtkAlgorithm* filter, unsigned long event) {
-  vtkNew<Words> words;
-  filter->AddObserver(event, words);
-  filter->Update();
-  return words->text;
 }
 
 double field(vtkPolyData* surface, const char* name, int component = 0) {
@@ -145,7 +133,7 @@ TEST(SurfaceRepairFilter, LeavesACleanSurfaceAsItIs) {
   const auto input = numbered(disk.points(), disk.faces());
   vtkNew<vtkSurfaceRepair> filter;
   filter->SetInputData(input);
-  EXPECT_EQ(wordsOf(filter, vtkCommand::WarningEvent), "");
+  EXPECT_EQ(wordsOf(filter), "");
   EXPECT_EQ(toPoints(filter->GetOutput()), disk.points());
   EXPECT_EQ(toTriangles(filter->GetOutput()), disk.faces());
   EXPECT_EQ(filter->GetSummary(), "");
@@ -160,7 +148,7 @@ TEST(SurfaceRepairFilter, StandsBeforeAMap) {
   repair->SetInputData(numbered(disk.points(), faces));
   vtkNew<vtkAuthalicMap> broken, clean, map;
   broken->SetInputData(numbered(disk.points(), faces));
-  EXPECT_NE(wordsOf(broken, vtkCommand::ErrorEvent).find("authalic repair"), std::string::npos);
+  EXPECT_NE(wordsOf(broken).find("authalic repair"), std::string::npos);
   for (const auto& filter : {broken.Get(), clean.Get(), map.Get()}) filter->SetTolerance(0.1);  // few, regular faces
   map->SetInputConnection(repair->GetOutputPort());
   map->Update();
@@ -177,12 +165,12 @@ TEST(SurfaceRepairFilter, WarnsOfWhatIsLeft) {
   faces << sphere.faces(), sphere.faces().array() + sphere.vertexCount();
   vtkNew<vtkSurfaceRepair> filter;
   filter->SetInputData(numbered(points, faces));
-  const std::string words = wordsOf(filter, vtkCommand::WarningEvent);
+  const std::string words = wordsOf(filter);
   EXPECT_NE(words.find("2 components"), std::string::npos) << words;
   EXPECT_NE(words.find("StrayShare"), std::string::npos) << words;
   filter->SetInputData(brokenTorus());
   filter->SetLargestHandle(0);
-  EXPECT_NE(wordsOf(filter, vtkCommand::WarningEvent).find("genus 1"), std::string::npos);
+  EXPECT_NE(wordsOf(filter).find("genus 1"), std::string::npos);
 }
 
 TEST(SurfaceRepairFilter, RefusesWhatCannotBeRepairedAndRecovers) {
@@ -195,7 +183,7 @@ TEST(SurfaceRepairFilter, RefusesWhatCannotBeRepairedAndRecovers) {
   }
   vtkNew<vtkSurfaceRepair> filter;
   filter->SetInputData(numbered(apart, faces));
-  EXPECT_NE(wordsOf(filter, vtkCommand::ErrorEvent).find("share no edge"), std::string::npos);
+  EXPECT_NE(wordsOf(filter).find("share no edge"), std::string::npos);
   EXPECT_EQ(filter->GetErrorKind(), vtkSurfaceAlgorithm::SURFACE);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetReport(), "");

@@ -26,6 +26,7 @@
 #include "Core/transport/SphericalTransportMap.h"
 #include "support/HoledMeshes.h"
 #include "support/TestMeshes.h"
+#include "support/VtkWords.h"
 
 namespace {
 
@@ -33,6 +34,7 @@ using namespace authalic;
 using authalic::testing::bumpyDisk;
 using authalic::testing::holedDisk;
 using authalic::testing::sphereMesh;
+using authalic::testing::VtkWords;
 using authalic::testing::wavySphere;
 
 class TransportFilters : public ::testing::Test {
@@ -124,8 +126,8 @@ TEST_F(TransportFilters, TakeTheirSitesFromAGivenMapOrTheRiemannMap) {
 
 TEST_F(TransportFilters, SayWhatTheyCannotDo) {
   const vtkSmartPointer<vtkPolyData> surface = polyData(bumpyDisk(6));
-  vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkOptimalTransportMap> filter;
+  const VtkWords words(filter);
   filter->SetInputData(0, surface);
   filter->SetTolerance(0);
   filter->Update();
@@ -144,7 +146,6 @@ TEST_F(TransportFilters, SayWhatTheyCannotDo) {
   filter->SetInputData(0, polyData(sphereMesh(2)));
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkOptimalTransportMap::SURFACE);
-  vtkObject::GlobalWarningDisplayOn();
 }
 
 TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
@@ -166,11 +167,10 @@ TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
   EXPECT_EQ(filter->GetFlippedFaces(), 0);
   EXPECT_LT(filter->GetTotalAreaDistortion(), 2.001);
   EXPECT_GT(field(filter->GetOutput(), "FinishedCost"), 0);
-  vtkObject::GlobalWarningDisplayOff();
+  const VtkWords words(filter);
   filter->SetInputData(0, polyData(bumpyDisk(4)));
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::SURFACE);
-  vtkObject::GlobalWarningDisplayOn();
 }
 
 TEST_F(TransportFilters, BalanceAnglesAgainstAreas) {
@@ -216,9 +216,8 @@ TEST_F(TransportFilters, BalanceFromPlaceToPlaceAsOneNumberEverywhereDoes) {
     weights->SetValue(3, 1.5);
     weights->Modified();
     surface->Modified();
-    vtkObject::GlobalWarningDisplayOff();
+    const VtkWords words(other);
     other->Update();
-    vtkObject::GlobalWarningDisplayOn();
     EXPECT_EQ(other->GetErrorKind(), vtkOptimalTransportMap::ARGUMENT);
     EXPECT_EQ(other->GetOutput()->GetNumberOfPoints(), 0);
   };
@@ -246,13 +245,12 @@ TEST_F(TransportFilters, GiveTheCurveOfBalancesAsATable) {
   curve->Update();
   ASSERT_EQ(table->GetNumberOfRows(), 1);
   EXPECT_EQ(table->GetValueByName(0, "balance").ToDouble(), 0.3);
-  vtkObject::GlobalWarningDisplayOff();
+  const VtkWords words(curve);
   curve->AddBalance(1.5);
   curve->Update();
   EXPECT_EQ(curve->GetErrorKind(), 2);
   EXPECT_EQ(table->GetNumberOfRows(), 0);
   EXPECT_TRUE(curve->GetText().empty() && curve->GetReport().empty());
-  vtkObject::GlobalWarningDisplayOn();
 }
 
 TEST_F(TransportFilters, FillHolesWithMassesAndGiveTheImageAndTheCellsOfCore) {
@@ -300,8 +298,8 @@ TEST_F(TransportFilters, MakeHolesRoundWithTheShareThatIsAskedFor) {
 }
 
 TEST_F(TransportFilters, RefuseHolesThatDoNotBelong) {
-  vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkPolyAnnulusTransportMap> filter;
+  const VtkWords words(filter);
   filter->SetInputData(0, polyData(holedDisk(12, {{{0.4, 0.1}, 0.2}})));
   filter->SetHoleShare(1.5);
   filter->Update();
@@ -312,5 +310,4 @@ TEST_F(TransportFilters, RefuseHolesThatDoNotBelong) {
   filter->SetInputData(0, polyData(sphereMesh(2)));
   filter->Update();
   EXPECT_EQ(filter->GetErrorKind(), vtkPolyAnnulusTransportMap::SURFACE);
-  vtkObject::GlobalWarningDisplayOn();
 }

@@ -24,8 +24,8 @@ struct AreaSolveResult : AuthalicSolution {
                                          const AuthalicMapOptions& options, const Execution& execution,
                                          Shapes shapes = Shapes::Kept);
 
-/// Of two solves, the first not converged, gives the one that converged, or whose faces are nearer to their targets, the
-/// iterations, the history and the seconds of both. @return whether that is the second
+/// Of two solves, the first not converged, gives the one that converged, or whose faces are nearer to their targets,
+/// the iterations, the history and the seconds of both. @return whether that is the second
 bool giveBetterTheEffortOfBoth(AuthalicSolution& first, AuthalicSolution& second);
 
 }  // namespace authalic

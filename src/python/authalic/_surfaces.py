@@ -71,19 +71,22 @@ def to_polydata(points: Any, faces: Any = None) -> Any:
     return mesh
 
 
-def read_surface(path: Path, space: str = "as-stated", *, whole: Optional[Path] = None) -> Surface:
+def read_surface(path: Path, space: str = "as-stated", *, whole: Optional[Path] = None,
+                 volume: Optional[Path] = None) -> Surface:
     """Reads a triangle surface of any known format, in scanner RAS mm where the file says how.
 
     path   FreeSurfer (lh.pial ..., .patch.3d, .patch.flat), .gii, .gii.gz, .mz3, .off, .ply, .obj, .vtp, .vtk, .stl
-    space  "as-stated": believe the file; "scanner-ras", "tk-ras" or "lps": the coordinates are in that space
-           whatever it says
+    space  "as-stated": believe the file; "scanner-ras", "tk-ras", "lps" or "voxel" (indices, whole numbers at
+           the middles of voxels): the coordinates are in that space whatever it says
     whole  the surface that a FreeSurfer patch was cut from, which has its faces
+    volume the volume whose tk-ras or voxels the coordinates are; None = by the geometry that the file carries
 
     fields["CoordinateSpace"] is "scanner-ras" or "unknown". Raises FormatError, SurfaceError, InvalidArgument.
     """
     reader = _classes.vtkSurfaceFileReader()
     reader.SetFileName(os.fspath(path))
-    _filters.configure(reader, assume_space=space, whole_file_name=None if whole is None else os.fspath(whole))
+    _filters.configure(reader, assume_space=space, whole_file_name=None if whole is None else os.fspath(whole),
+                       volume_file_name=None if volume is None else os.fspath(volume))
     _filters.warn(_filters.run(reader)[1])
     return Surface.from_vtk(reader.GetOutput())
 
