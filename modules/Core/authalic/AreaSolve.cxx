@@ -10,7 +10,7 @@ namespace authalic {
 namespace {
 
 constexpr int kRounds = 8;
-constexpr int kMostVertexSteps = 12;    // of one round
+constexpr int kMostVertexSteps = 12;    // of one round, and as many more as each halve the residual
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.9;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
@@ -122,11 +122,13 @@ class AreaSolver {
     const double begun = now();
     vertices_.restart(image);
     double residual = vertices_.residual(image);
-    for (int k = 0; k < kMostVertexSteps && residual > options_.vertexTolerance && !ended(); ++k) {
-      const double step = vertices_.advance(image);
+    bool halved = true;
+    for (int k = 0; (k < kMostVertexSteps || halved) && residual > options_.vertexTolerance && !ended(); ++k) {
+      const double step = vertices_.advance(image), before = residual;
       tell({residual, step, true}, "Matching vertices");
       if (step < kPinned) break;
       residual = vertices_.residual(image);
+      halved = residual < 0.5 * before;
     }
     result_.vertexSeconds += now() - begun;
     return residual <= options_.vertexTolerance;
