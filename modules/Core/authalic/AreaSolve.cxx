@@ -31,12 +31,13 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
-             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes)
+             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes, AnalysedSystems& systems)
       : options_(options), execution_(execution),
         meanLogWanted_(std::clamp(shapes == Shapes::First ? kMeanLogWithShapesFirst : kMeanLog,
                                   0.5 * options.tolerance, options.tolerance)),
-        faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes),
-        stars_(areas, target.vertices(), options.solver), vertices_(areas, target.vertices(), options.solver) {}
+        faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes, systems),
+        stars_(areas, target.vertices(), options.solver, systems),
+        vertices_(areas, target.vertices(), options.solver, systems) {}
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
@@ -159,8 +160,10 @@ class AreaSolver {
 
 AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
                            Coordinates start, const AuthalicMapOptions& options, const Execution& execution,
-                           Shapes shapes) {
-  return AreaSolver(areas, surface, target, options, execution, shapes).run(std::move(start));
+                           Shapes shapes, AnalysedSystems* systems) {
+  AnalysedSystems own;
+  return AreaSolver(areas, surface, target, options, execution, shapes, systems != nullptr ? *systems : own)
+      .run(std::move(start));
 }
 
 bool giveBetterTheEffortOfBoth(AuthalicSolution& first, AuthalicSolution& second) {

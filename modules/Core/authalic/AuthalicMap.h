@@ -9,7 +9,7 @@
 #include "Core/base/Status.h"
 #include "Core/geometry/PlanarDomain.h"
 #include "Core/mesh/DiskMesh.h"
-#include "Core/numerics/SparseSolver.h"
+#include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
 
@@ -68,6 +68,7 @@ struct AuthalicMapResult : AuthalicSolution {
 ///
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are
 /// unfolded first
+/// @param systems  for several targets on one disk: what depends on the mesh alone is kept in it from map to map
 /// @param target   shares per face, from TargetMeasure for this surface; a region's share is exact at its vertices
 ///
 /// Guarantees: no folded face on a convex domain, whatever the status; the boundary lies on that of the domain
@@ -78,6 +79,6 @@ struct AuthalicMapResult : AuthalicSolution {
 ///         the domain; SolverError when a system cannot be factorised
 [[nodiscard]] AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
                                             const AuthalicMapOptions& options = {}, const Points2& initial = {},
-                                            const Execution& execution = {});
+                                            const Execution& execution = {}, AnalysedSystems* systems = nullptr);
 
 }  // namespace authalic

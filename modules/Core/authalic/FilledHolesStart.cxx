@@ -61,7 +61,8 @@ Points2 rounder(const DiskMesh& disk, const TargetMeasure& targets, const HalfEd
   std::vector<LoopOnCircle> circle(1);
   circle[0].vertices = disk.boundary();
   const CircleDomainAreas areas(disk.mesh().faces(), circle, disk.mesh().vertexCount());
-  FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept);
+  AnalysedSystems systems;
+  FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept, systems);
   match.restart(kNear);
   Coordinates image = std::move(start);
   for (int step = 0; step < kRoundingSteps && !match.stalled() && !execution.cancelled(); ++step) {
