@@ -110,7 +110,8 @@ class AreaSolver {
   void stepsOnStars(Coordinates& image) {
     const double begun = now();
     for (int k = 0; k < kMostStepsOnStars && !ended(); ++k) {
-      if (stars_.residual(image) <= (k == 0 ? kVerticesDisturb : kVerticesStillDisturb) * options_.tolerance) break;
+      const double enough = (k == 0 ? kVerticesDisturb : kVerticesStillDisturb) * options_.tolerance;
+      if (stars_.residual(image) <= std::max(enough, options_.vertexTolerance)) break;
       const double residual = faces_.residual(image), step = faces_.advanceOnStars(stars_, options_.tolerance, image);
       if (step == 0) break;
       tell({residual, step, false}, "Matching faces and vertices");

@@ -55,8 +55,8 @@ struct AuthalicMapResult : AuthalicSolution {
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 ///    target m, together with the Dirichlet energy of the map at a weight that falls to nothing: of the many
 ///    area-preserving maps one with good angles. Inner vertices move freely, those of the boundary along it.
-/// 3. *Steps on the stars*: at most three face steps that obey the linearised equations of the stars, see
-///    StarConstraint, so that the vertex steps hardly move a face.
+/// 3. *Steps on the stars*, where these are not within their tolerance: at most three face steps that obey the
+///    linearised equations of the stars, see StarConstraint, so that the vertex steps hardly move a face.
 /// 4. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
 ///    step of Lie advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them
 ///    reach 1e-12.

@@ -58,7 +58,7 @@ DistortionSummary measured(const DiskMesh& disk, const Points2& image, const Tar
   return measureDistortion(disk.mesh(), image, target.shares()).summary;
 }
 DistortionSummary measured(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target) {
-  return measureSphericalDistortion(sphere.mesh(), image, target.shares()).summary;
+  return summariseSphericalDistortion(sphere.mesh(), image, target.shares());
 }
 
 void requireNoFolds(int flippedFaces) {

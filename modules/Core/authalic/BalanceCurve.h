@@ -40,7 +40,9 @@ struct BalanceCurve {
 /// transport from the Riemann map to the masses (1 − t) A_conf + t A_M (TargetMeasure::blended), finished by the exact
 /// area solve.
 ///
-/// One conformal map serves all; the transport of a t starts from the line through the heights of the two before it.
+/// One conformal map serves all, and one analysis of the systems; the transport of a t starts from the line through the
+/// heights of the two before it, its finish from that transport alone: a value on a curve is the value alone, but for the
+/// tolerance of the cells.
 /// Tolerances are those of a curve to choose by: the map itself is then made to its own (vtkOptimalTransportMap with
 /// that balance).
 /// Guarantees: as optimalTransportMap and authalicMap for every point. Not guaranteed: that the curve is monotone.
