@@ -7,7 +7,8 @@ A region of a disk gets several factors of its area. For each, both maps start f
 keeps however far it is from the areas; printed and left in flow.tsv are the cost of moving the masses by either (sum
 of mass times squared distance from the harmonic map), the difference, the same without masses as su2019 has it, the
 same with masses against transport with its finish, which like the flow has the areas of faces and no folds, and the
-modulus of the Beltrami coefficient of psi = flow o transport^-1, 0 where psi keeps angles. flow.png has both maps for the last factor (squares of equal area, the region in red) and the histograms of the moduli.
+modulus of the Beltrami coefficient of psi = flow o transport^-1, 0 where psi keeps angles. flow.png has both maps
+for the last factor (squares of equal area, the region in red) and the histograms of the moduli.
 """
 import argparse
 
@@ -51,7 +52,8 @@ for factor, colour in zip(options.factor, COLOURS * 9):
                  f"{np.quantile(kept, 0.95):.3f}", str(moved.metrics["flipped_faces"])])
     series.append((f"factor {factor:g}", kept, colour))
 header = ["factor", "flow_status", "transport_status", "flow_cost", "transport_cost", "difference_percent",
-          "difference_without_masses_percent", "finished_cost", "finished_difference_percent", "beltrami_mean", "beltrami_p50", "beltrami_p95",
+          "difference_without_masses_percent", "finished_cost", "finished_difference_percent", "beltrami_mean",
+          "beltrami_p50", "beltrami_p95",
           "transport_flipped_faces"]
 text = "\n".join("\t".join(row) for row in [header, *rows])
 print(text)

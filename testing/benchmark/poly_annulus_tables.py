@@ -8,8 +8,8 @@ COMMAND is the built `authalic`, DATA the folder of real test data. A model's ro
 steps until the largest error of a cell, an area in the unit disk as in the paper, is below 1e-6 and below 1e-12, the
 smallest error that was reached, and that relative to the mean cell; CPU seconds of the whole command, conformal map,
 reading and writing included; D_area and folds of the transport, and of its finish, with its CPU seconds. Ends with 1
-when an error stays above 1e-12, a cell is empty, a transport takes more than 5 CPU seconds, a finish is not converged or
-leaves a fold, or the judge does not agree with the finished maps.
+when an error stays above 1e-12, a cell is empty, a transport takes more than 5 CPU seconds, a finish is not converged
+or leaves a fold, or the judge does not agree with the finished maps.
 """
 import argparse
 import math

@@ -108,6 +108,23 @@ TEST_F(BalanceCurveOf, DoesNotDependOnTheBalancesBeforeBeyondItsTolerance) {
   EXPECT_NEAR(alone.transport.areaDistortion, third.transport.areaDistortion, 1e-4);
 }
 
+TEST_F(BalanceCurveOf, KeepsWhatDependsOnTheMeshAloneWithoutChangingABit) {
+  const DiskMesh disk(bumpyDisk(12));
+  const TargetMeasure plain(disk.mesh());
+  const TargetMeasure dense =
+      TargetMeasure::fromVertexDensity(disk.mesh(), (disk.mesh().points().col(0).array() + 2).matrix());
+  AnalysedSystems systems;
+  for (const TargetMeasure& target : {plain, dense, plain}) {
+    EXPECT_EQ(authalicMap(disk, target, {}, {}, {}, &systems).image, authalicMap(disk, target).image);
+  }
+  const SphereMesh sphere = stretchedSphere(3);
+  const TargetMeasure round(sphere.mesh());
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    EXPECT_EQ(sphericalAuthalicMap(sphere, round, {}, {}, {}, &systems).image,
+              sphericalAuthalicMap(sphere, round).image);
+  }
+}
+
 TEST_F(BalanceCurveOf, GoesToTheMeasureThatIsAskedFor) {
   const DiskMesh disk(bumpyDisk(16));
   Eigen::VectorXd density = Eigen::VectorXd::Ones(disk.mesh().vertexCount());
