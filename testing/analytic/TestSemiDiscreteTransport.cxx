@@ -157,9 +157,11 @@ TEST_F(SemiDiscreteTransport, NeverEmptiesACellAndReachesTheMassesFromClusteredS
     const TransportSolution solution = semiDiscreteTransport(diagram, masses);
     EXPECT_EQ(solution.status, Status::Converged) << solution.residual;
     EXPECT_LE((diagram.cells().areas - masses).cwiseAbs().maxCoeff(), 1e-9 * masses[0]);
-    for (std::size_t k = 0; k < solution.history.size(); ++k) {
-      EXPECT_GT(solution.history[k].smallestCell, 0);
-      if (k > 0) EXPECT_LE(solution.history[k].residual, solution.history[k - 1].residual);
+    double before = solution.history.front().residual;
+    for (const TransportIteration& step : solution.history) {
+      EXPECT_GT(step.smallestCell, 0);
+      EXPECT_LE(step.residual, before);
+      before = step.residual;
     }
     EXPECT_LE(solution.iterations, 25);
   }
