@@ -75,7 +75,7 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
     authalic::AuthalicMapOptions exact;
     exact.domain = options.domain;
-    const authalic::Points2& begun = authalic::finishStart(disk, wanted, result.image, result.sites);
+    const authalic::Points2& begun = authalic::finishStart(disk, wanted, result.image, initial);
     finished = authalic::authalicMap(disk, wanted, exact, begun, execution.part(share, 1));
   }
   const authalic::Points2& image = finished ? finished->image : result.image;

@@ -61,7 +61,7 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
       sphere, wanted.vertices(), options, initial, execution.part(balance.whole() ? 0 : 0.2, share));
   std::optional<authalic::SphericalAuthalicMapResult> finished;
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
-    const authalic::Points3& begun = authalic::finishStart(sphere, wanted, result.image, result.sites);
+    const authalic::Points3& begun = authalic::finishStart(sphere, wanted, result.image, initial);
     finished = authalic::sphericalAuthalicMap(sphere, wanted, {}, begun, execution.part(share, 1));
   }
   const authalic::Points3& image = finished ? finished->image : result.image;

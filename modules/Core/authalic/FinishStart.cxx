@@ -24,13 +24,13 @@ bool exact(const Eigen::VectorXd& faceAreas, const Faces& faces, const Eigen::Ve
 const Points2& finishStart(const DiskMesh& disk, const TargetMeasure& target, const Points2& moved,
                            const Points2& sites) {
   const Faces& faces = disk.mesh().faces();
-  return exact(signedFaceAreas(sites, faces), faces, target.vertices()) ? sites : moved;
+  return sites.size() > 0 && exact(signedFaceAreas(sites, faces), faces, target.vertices()) ? sites : moved;
 }
 
 const Points3& finishStart(const SphereMesh& sphere, const TargetMeasure& target, const Points3& moved,
                            const Points3& sites) {
   const Faces& faces = sphere.mesh().faces();
-  return exact(signedSolidAngles(sites, faces), faces, target.vertices()) ? sites : moved;
+  return sites.size() > 0 && exact(signedSolidAngles(sites, faces), faces, target.vertices()) ? sites : moved;
 }
 
 }  // namespace authalic

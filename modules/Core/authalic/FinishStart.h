@@ -10,7 +10,8 @@ namespace authalic {
 
 /// The image of a transport, or its sites where no face of theirs is folded and every star has its target already
 /// (max |ln r_v| ≤ 1e-10), as at balance 0: moving vertices to the middles of their cells would only disturb them.
-/// @param moved, sites  n×2, by transport and before it
+/// @param moved  n×2, by transport
+/// @param sites  n×2, before it, as they were given: rounded again, small stars would not be exact; or empty
 [[nodiscard]] const Points2& finishStart(const DiskMesh& disk, const TargetMeasure& target, const Points2& moved,
                                          const Points2& sites);
 
