@@ -110,7 +110,8 @@ BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balan
   point.balance = balance;
   point.status = moved.status;
   if (moved.status == Status::Cancelled) return point;
-  const auto finished = finish(mesh, wanted, exact, finishStart(mesh, wanted, moved.image, sites), execution.part(0.5, 1), kept.systems);
+  const Image& first = finishStart(mesh, wanted, moved.image, sites);
+  const auto finished = finish(mesh, wanted, exact, first, execution.part(0.5, 1), kept.systems);
   point.metrics = measured(mesh, finished.image, target);
   point.transport = measured(mesh, moved.image, target);
   if (point.status == Status::Converged || finished.status == Status::Cancelled) point.status = finished.status;
