@@ -25,6 +25,7 @@ vtkDiscreteLieFlow::vtkDiscreteLieFlow() {
   this->FlowTolerance = defaults.flowTolerance;
   this->StepRatio = defaults.stepRatio;
   this->FixedStep = defaults.fixedStep;
+  this->KeepInitial = defaults.keepInitial;
   this->Finish = static_cast<int>(defaults.finish);
   this->MaximumFinishIterations = defaults.maxFinishIterations;
 }
@@ -43,6 +44,7 @@ authalic::DiscreteLieFlowOptions vtkDiscreteLieFlow::Options() const {
   options.flowTolerance = this->FlowTolerance;
   options.stepRatio = this->StepRatio;
   options.fixedStep = this->FixedStep;
+  options.keepInitial = this->KeepInitial;
   options.finish = static_cast<authalic::LieFlowFinish>(this->Finish);
   options.maxFinishIterations = this->MaximumFinishIterations;
   options.validate();
@@ -54,6 +56,7 @@ authalic::Json vtkDiscreteLieFlow::DescribeAllOptions(bool initialMapGiven) cons
   const auto weights = static_cast<authalic::BarycentricWeights>(this->InitialMethod);
   options.set("initial", initialMapGiven ? "given" : authalic::barycentricWeightsName(weights));
   authalic::addLieFlowOptions(options, this->Options());
+  options.set("keep_initial", this->KeepInitial);
   return options;
 }
 
@@ -93,6 +96,7 @@ void vtkDiscreteLieFlow::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "FlowTolerance: " << this->FlowTolerance << "\n";
   os << indent << "StepRatio: " << this->StepRatio << "\n";
   os << indent << "FixedStep: " << this->FixedStep << "\n";
+  os << indent << "KeepInitial: " << this->KeepInitial << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
   os << indent << "MaximumFinishIterations: " << this->MaximumFinishIterations << "\n";
 }

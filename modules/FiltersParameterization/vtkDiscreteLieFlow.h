@@ -91,6 +91,13 @@ public:
   ///@}
 
   ///@{
+  /** Whether to flow from the initial map however far off it is: nearer to optimal transport, and slower. */
+  vtkSetMacro(KeepInitial, bool);
+  vtkGetMacro(KeepInitial, bool);
+  vtkBooleanMacro(KeepInitial, bool);
+  ///@}
+
+  ///@{
   /** What follows the flow on the connectivity of the input: nothing, unfolding, or unfolding and matching of areas. */
   vtkSetClampMacro(Finish, int, NONE_AFTER_FLOW, MATCH);
   vtkGetMacro(Finish, int);
@@ -118,6 +125,7 @@ protected:
   double FlowTolerance;
   double StepRatio;
   double FixedStep;
+  bool KeepInitial;
   int Finish;
   int MaximumFinishIterations;
 

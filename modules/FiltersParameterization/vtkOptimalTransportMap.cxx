@@ -11,6 +11,7 @@
 #include "ConformalImages.h"
 #include "Conversion.h"
 #include "Core/authalic/AuthalicMap.h"
+#include "Core/authalic/FinishStart.h"
 #include "Core/geometry/Areas.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "MapArrays.h"
@@ -74,7 +75,8 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
     authalic::AuthalicMapOptions exact;
     exact.domain = options.domain;
-    finished = authalic::authalicMap(disk, wanted, exact, result.image, execution.part(share, 1));
+    const authalic::Points2& begun = authalic::finishStart(disk, wanted, result.image, initial);
+    finished = authalic::authalicMap(disk, wanted, exact, begun, execution.part(share, 1));
   }
   const authalic::Points2& image = finished ? finished->image : result.image;
   const authalic::Distortion distortion = authalic::fillMap(input, output, disk.mesh(), image, target.shares());

@@ -11,6 +11,7 @@
 #include "AuthalicReport.h"
 #include "ConformalImages.h"
 #include "Conversion.h"
+#include "Core/authalic/FinishStart.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/transport/SphericalTransportMap.h"
@@ -60,7 +61,8 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
       sphere, wanted.vertices(), options, initial, execution.part(balance.whole() ? 0 : 0.2, share));
   std::optional<authalic::SphericalAuthalicMapResult> finished;
   if (this->Finish == AUTHALIC && result.status != authalic::Status::Cancelled) {
-    finished = authalic::sphericalAuthalicMap(sphere, wanted, {}, result.image, execution.part(share, 1));
+    const authalic::Points3& begun = authalic::finishStart(sphere, wanted, result.image, initial);
+    finished = authalic::sphericalAuthalicMap(sphere, wanted, {}, begun, execution.part(share, 1));
   }
   const authalic::Points3& image = finished ? finished->image : result.image;
   const authalic::SphericalDistortion distortion =

@@ -45,14 +45,21 @@ class LieFlowFamily : public MapFamily {
                          "This step instead of the adaptive one; 0 = adaptive. May collapse the mesh."))
         ->type_name("X")
         ->default_str(shown(defaults_->GetFixedStep()));
+    own(verb->add_flag("--keep-initial", keepInitial_,
+                       "Disks: flow from the initial map however far off it is: nearer to transport, slower."));
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string&, const SharedMapOptions& shared,
                                                  const Session& session) const override {
-    if (const auto holed = holedFilter<vtkCircleDomainLieFlow>(shared)) return configured(holed, shared, session);
+    const auto holed = holedFilter<vtkCircleDomainLieFlow>(shared);
+    if (keepInitial_ && (holed || shared.domain == "sphere")) {
+      throw Failure(UsageProblem, "--keep-initial is for disks: --domain disk, square, rectangle or polygon.");
+    }
+    if (holed) return configured(holed, shared, session);
     if (shared.domain == "sphere") return configured(vtkSmartPointer<vtkSphericalLieFlow>::New(), shared, session);
     const auto flow = vtkSmartPointer<vtkDiscreteLieFlow>::New();
     setDiskDomain(flow, shared.domain);
+    flow->SetKeepInitial(keepInitial_);
     return configured(flow, shared, session);
   }
 
@@ -71,6 +78,7 @@ class LieFlowFamily : public MapFamily {
 
   vtkNew<vtkDiscreteLieFlow> defaults_;
   std::optional<double> fixedStep_, stepRatio_;
+  bool keepInitial_ = false;
 };
 
 }  // namespace

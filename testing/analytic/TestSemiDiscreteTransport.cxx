@@ -157,7 +157,12 @@ TEST_F(SemiDiscreteTransport, NeverEmptiesACellAndReachesTheMassesFromClusteredS
     const TransportSolution solution = semiDiscreteTransport(diagram, masses);
     EXPECT_EQ(solution.status, Status::Converged) << solution.residual;
     EXPECT_LE((diagram.cells().areas - masses).cwiseAbs().maxCoeff(), 1e-9 * masses[0]);
-    for (const TransportIteration& step : solution.history) EXPECT_GT(step.smallestCell, 0);
+    double before = solution.history.front().residual;
+    for (const TransportIteration& step : solution.history) {
+      EXPECT_GT(step.smallestCell, 0);
+      EXPECT_LE(step.residual, before);
+      before = step.residual;
+    }
     EXPECT_LE(solution.iterations, 25);
   }
 }

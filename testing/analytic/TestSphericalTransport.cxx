@@ -170,7 +170,12 @@ TEST_F(SphericalTransport, ReachesEqualMassesWithoutEmptyingACell) {
     EXPECT_EQ(solution.status, Status::Converged) << solution.residual;
     EXPECT_LE(solution.iterations, 25);
     EXPECT_LE((diagram.cells().areas.array() - 4 * M_PI / 1000).abs().maxCoeff(), 1e-9 * 4 * M_PI / 1000);
-    for (const TransportIteration& step : solution.history) EXPECT_GT(step.smallestCell, 0);
+    double before = solution.history.front().residual;
+    for (const TransportIteration& step : solution.history) {
+      EXPECT_GT(step.smallestCell, 0);
+      EXPECT_LE(step.residual, before);
+      before = step.residual;
+    }
     EXPECT_GT(diagram.transportCost(), 0);
   }
 }

@@ -37,6 +37,7 @@ class Usage(CommandLine):
         self.fails(2, "map", "tutte", self.sheet, "-o", "m.vtp", "--tolerance", "1")
         self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", "--step-ratio", "3")
         self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", "--threads", "-2")
+        self.fails(2, "map", "lie-flow", self.sheet, "-o", "m.vtp", "--keep-initial", "--domain", "sphere")
 
     def test_numbers_out_of_range_are_2_in_short_sentences(self):
         for option, values in (("--tolerance", ("0", "-1", "nan", "x")), ("--max-iterations", ("-1", "1.5", "many")),

@@ -35,7 +35,7 @@ CASES = [
     ("balanced", "OptimalTransportMap", DISK, {"InitialMethod": 1, "Balance": 0.5, "Finish": 1}),
     ("curve", "BalanceCurve", DISK, {"NumberOfBalances": 3}),
     ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
-    ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2}),
+    ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2, "KeepInitial": 1}),
     ("ball", "SurfaceFileReader", [], {"FileName": "FIXTURES/folded_sphere.off"}),
     ("sphere", "SphericalConformalMap", [("Input", "ball", 0)], {}),
     ("transportedball", "SphericalTransportMap", [("Input", "ball", 0)], {}),

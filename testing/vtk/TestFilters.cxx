@@ -256,6 +256,7 @@ TEST(LieFlowFilter, HasTheImageOfCoreAndItsDefaults) {
   EXPECT_EQ(filter->GetTolerance(), defaults.tolerance);
   EXPECT_EQ(filter->GetMaximumIterations(), defaults.maxIterations);
   EXPECT_EQ(filter->GetStepRatio(), defaults.stepRatio);
+  EXPECT_EQ(filter->GetKeepInitial(), defaults.keepInitial);
 }
 
 TEST(LieFlowFilter, GivesTheBestIterateAndAWarningWhenItMayNotGoOn) {

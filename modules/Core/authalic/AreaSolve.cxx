@@ -10,7 +10,7 @@ namespace authalic {
 namespace {
 
 constexpr int kRounds = 8;
-constexpr int kMostVertexSteps = 12;    // of one round
+constexpr int kMostVertexSteps = 12;    // of one round, and as many more as each halve the residual
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
@@ -31,12 +31,13 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
-             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes)
+             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes, AnalysedSystems& systems)
       : options_(options), execution_(execution),
         meanLogWanted_(std::clamp(shapes == Shapes::First ? kMeanLogWithShapesFirst : kMeanLog,
                                   0.5 * options.tolerance, options.tolerance)),
-        faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes),
-        stars_(areas, target.vertices(), options.solver), vertices_(areas, target.vertices(), options.solver) {}
+        faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes, systems),
+        stars_(areas, target.vertices(), options.solver, systems),
+        vertices_(areas, target.vertices(), options.solver, systems) {}
 
   AreaSolveResult run(Coordinates start) {
     Coordinates image = std::move(start);
@@ -109,7 +110,8 @@ class AreaSolver {
   void stepsOnStars(Coordinates& image) {
     const double begun = now();
     for (int k = 0; k < kMostStepsOnStars && !ended(); ++k) {
-      if (stars_.residual(image) <= (k == 0 ? kVerticesDisturb : kVerticesStillDisturb) * options_.tolerance) break;
+      const double enough = (k == 0 ? kVerticesDisturb : kVerticesStillDisturb) * options_.tolerance;
+      if (stars_.residual(image) <= std::max(enough, options_.vertexTolerance)) break;
       const double residual = faces_.residual(image), step = faces_.advanceOnStars(stars_, options_.tolerance, image);
       if (step == 0) break;
       tell({residual, step, false}, "Matching faces and vertices");
@@ -122,11 +124,13 @@ class AreaSolver {
     const double begun = now();
     vertices_.restart(image);
     double residual = vertices_.residual(image);
-    for (int k = 0; k < kMostVertexSteps && residual > options_.vertexTolerance && !ended(); ++k) {
-      const double step = vertices_.advance(image);
+    bool halved = true;
+    for (int k = 0; (k < kMostVertexSteps || halved) && residual > options_.vertexTolerance && !ended(); ++k) {
+      const double step = vertices_.advance(image), before = residual;
       tell({residual, step, true}, "Matching vertices");
       if (step < kPinned) break;
       residual = vertices_.residual(image);
+      halved = residual < 0.5 * before;
     }
     result_.vertexSeconds += now() - begun;
     return residual <= options_.vertexTolerance;
@@ -157,8 +161,10 @@ class AreaSolver {
 
 AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
                            Coordinates start, const AuthalicMapOptions& options, const Execution& execution,
-                           Shapes shapes) {
-  return AreaSolver(areas, surface, target, options, execution, shapes).run(std::move(start));
+                           Shapes shapes, AnalysedSystems* systems) {
+  AnalysedSystems own;
+  return AreaSolver(areas, surface, target, options, execution, shapes, systems != nullptr ? *systems : own)
+      .run(std::move(start));
 }
 
 bool giveBetterTheEffortOfBoth(AuthalicSolution& first, AuthalicSolution& second) {

@@ -98,11 +98,15 @@ Start makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points
 
 // A stretched start has half of the iterations; where they do not suffice, a balanced one has the rest.
 AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const TargetMeasure& target, const Start& start,
-                      const Points2& boundary, AuthalicMapOptions options, const Execution& execution) {
-  if (!start.stretched) return solveAreas(areas, disk.mesh(), target, start.image, options, execution);
+                      const Points2& boundary, AuthalicMapOptions options, const Execution& execution,
+                      AnalysedSystems& systems) {
+  if (!start.stretched) {
+    return solveAreas(areas, disk.mesh(), target, start.image, options, execution, Shapes::Kept, &systems);
+  }
   const int all = options.maxIterations;
   options.maxIterations = (all + 1) / 2;
-  AreaSolveResult solved = solveAreas(areas, disk.mesh(), target, start.image, options, execution.part(0, 0.6));
+  AreaSolveResult solved = solveAreas(areas, disk.mesh(), target, start.image, options, execution.part(0, 0.6),
+                                      Shapes::Kept, &systems);
   options.maxIterations = all - solved.iterations;
   if (solved.status == Status::Converged || solved.status == Status::Cancelled || options.maxIterations == 0) {
     return solved;
@@ -110,7 +114,7 @@ AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const Targ
   const Start other = balanced(disk, boundary, target, options, execution.part(0.6, 0.7));
   if (other.folded > 0) return solved;
   AreaSolveResult second =
-      solveAreas(areas, disk.mesh(), target, other.image, options, execution.part(0.7, 1), Shapes::Free);
+      solveAreas(areas, disk.mesh(), target, other.image, options, execution.part(0.7, 1), Shapes::Free, &systems);
   const bool cancelled = second.status == Status::Cancelled;
   AreaSolveResult& better = giveBetterTheEffortOfBoth(solved, second) ? second : solved;
   if (cancelled) better.status = Status::Cancelled;
@@ -130,7 +134,7 @@ void AuthalicMapOptions::validate() const {
 }
 
 AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target, const AuthalicMapOptions& options,
-                              const Points2& initial, const Execution& execution) {
+                              const Points2& initial, const Execution& execution, AnalysedSystems* systems) {
   options.validate();
   requireTargetOf(disk.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
@@ -142,7 +146,9 @@ AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
   const PlanarAreas areas(disk.mesh().faces(), sliding, target.vertices());
   AuthalicMapResult result;
   result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solve(areas, disk, target, start, image, options, execution.part(0.2, 1));
+  AnalysedSystems own;
+  AreaSolveResult solved = solve(areas, disk, target, start, image, options, execution.part(0.2, 1),
+                                 systems != nullptr ? *systems : own);
   result.image = solved.image;
   solved.startSeconds = result.startSeconds;
   static_cast<AuthalicSolution&>(result) = std::move(solved);

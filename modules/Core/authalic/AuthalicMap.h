@@ -9,7 +9,7 @@
 #include "Core/base/Status.h"
 #include "Core/geometry/PlanarDomain.h"
 #include "Core/mesh/DiskMesh.h"
-#include "Core/numerics/SparseSolver.h"
+#include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
 
@@ -55,8 +55,8 @@ struct AuthalicMapResult : AuthalicSolution {
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 ///    target m, together with the Dirichlet energy of the map at a weight that falls to nothing: of the many
 ///    area-preserving maps one with good angles. Inner vertices move freely, those of the boundary along it.
-/// 3. *Steps on the stars*: at most three face steps that obey the linearised equations of the stars, see
-///    StarConstraint, so that the vertex steps hardly move a face.
+/// 3. *Steps on the stars*, where these are not within their tolerance: at most three face steps that obey the
+///    linearised equations of the stars, see StarConstraint, so that the vertex steps hardly move a face.
 /// 4. *Vertex steps*: Newton on the star areas, c_v = ⅓ Σ_{t∋v} a_t − S n_v, δ = −W⁻¹ Jᵀ (J W⁻¹ Jᵀ)⁻¹ c: the
 ///    step of Lie advection @cite zou2011 with the divergence that belongs to the discrete areas. 3 … 5 of them
 ///    reach 1e-12.
@@ -68,6 +68,7 @@ struct AuthalicMapResult : AuthalicSolution {
 ///
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are
 /// unfolded first
+/// @param systems  for several targets on one disk: what depends on the mesh alone is kept in it from map to map
 /// @param target   shares per face, from TargetMeasure for this surface; a region's share is exact at its vertices
 ///
 /// Guarantees: no folded face on a convex domain, whatever the status; the boundary lies on that of the domain
@@ -78,6 +79,6 @@ struct AuthalicMapResult : AuthalicSolution {
 ///         the domain; SolverError when a system cannot be factorised
 [[nodiscard]] AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
                                             const AuthalicMapOptions& options = {}, const Points2& initial = {},
-                                            const Execution& execution = {});
+                                            const Execution& execution = {}, AnalysedSystems* systems = nullptr);
 
 }  // namespace authalic

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "Core/authalic/FinishStart.h"
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/conformal/RiemannMap.h"
@@ -46,19 +47,19 @@ auto transport(const SphereMesh& sphere, const TargetMeasure& target, const Semi
 }
 
 auto finish(const DiskMesh& disk, const TargetMeasure& target, const AuthalicMapOptions& options, const Points2& start,
-            const Execution& execution) {
-  return authalicMap(disk, target, options, start, execution);
+            const Execution& execution, AnalysedSystems& systems) {
+  return authalicMap(disk, target, options, start, execution, &systems);
 }
 auto finish(const SphereMesh& sphere, const TargetMeasure& target, const AuthalicMapOptions& options,
-            const Points3& start, const Execution& execution) {
-  return sphericalAuthalicMap(sphere, target, options, start, execution);
+            const Points3& start, const Execution& execution, AnalysedSystems& systems) {
+  return sphericalAuthalicMap(sphere, target, options, start, execution, &systems);
 }
 
 DistortionSummary measured(const DiskMesh& disk, const Points2& image, const TargetMeasure& target) {
   return measureDistortion(disk.mesh(), image, target.shares()).summary;
 }
 DistortionSummary measured(const SphereMesh& sphere, const Points3& image, const TargetMeasure& target) {
-  return measureSphericalDistortion(sphere.mesh(), image, target.shares()).summary;
+  return summariseSphericalDistortion(sphere.mesh(), image, target.shares());
 }
 
 void requireNoFolds(int flippedFaces) {
@@ -86,9 +87,15 @@ class HeightsSoFar {
   double first_ = 0, last_ = 0;  // their balances
 };
 
+// What the maps of a curve hand on from one to the next.
+struct KeptAlong {
+  HeightsSoFar heights;
+  AnalysedSystems systems;
+};
+
 template <class Mesh, class Image>
 BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balance, const BalanceCurveOptions& options,
-                     const Image& sites, HeightsSoFar& heights, const Execution& execution) {
+                     const Image& sites, KeptAlong& kept, const Execution& execution) {
   const auto begun = std::chrono::steady_clock::now();
   const TargetMeasure wanted = target.blended(mesh.mesh(), areasOf(mesh, sites), balance);
   SemiDiscreteTransportOptions cells;
@@ -98,16 +105,17 @@ BalancePoint pointOf(const Mesh& mesh, const TargetMeasure& target, double balan
   exact.tolerance = options.tolerance;
   exact.vertexTolerance = options.vertexTolerance;
   exact.solver = options.solver;
-  auto moved = transport(mesh, wanted, cells, sites, heights.expected(balance), execution.part(0, 0.5));
+  auto moved = transport(mesh, wanted, cells, sites, kept.heights.expected(balance), execution.part(0, 0.5));
   BalancePoint point;
   point.balance = balance;
   point.status = moved.status;
   if (moved.status == Status::Cancelled) return point;
-  const auto finished = finish(mesh, wanted, exact, moved.image, execution.part(0.5, 1));
+  const Image& first = finishStart(mesh, wanted, moved.image, sites);
+  const auto finished = finish(mesh, wanted, exact, first, execution.part(0.5, 1), kept.systems);
   point.metrics = measured(mesh, finished.image, target);
   point.transport = measured(mesh, moved.image, target);
   if (point.status == Status::Converged || finished.status == Status::Cancelled) point.status = finished.status;
-  heights.add(balance, std::move(moved.heights));
+  kept.heights.add(balance, std::move(moved.heights));
   point.seconds = secondsSince(begun);
   return point;
 }
@@ -127,11 +135,11 @@ BalanceCurve curveOf(const Mesh& mesh, const TargetMeasure& target, const Balanc
   requireNoFolds(start.flippedFaces);
   curve.startSeconds = secondsSince(begun);
   curve.status = Status::Converged;
-  HeightsSoFar heights;
+  KeptAlong kept;
   const double count = static_cast<double>(options.balances.size());
   for (std::size_t k = 0; k < options.balances.size(); ++k) {
     const Execution part = execution.part(0.1 + 0.9 * double(k) / count, 0.1 + 0.9 * double(k + 1) / count);
-    const BalancePoint point = pointOf(mesh, target, options.balances[k], options, start.image, heights, part);
+    const BalancePoint point = pointOf(mesh, target, options.balances[k], options, start.image, kept, part);
     if (point.status != Status::Converged) curve.status = point.status;
     if (point.status == Status::Cancelled) break;
     curve.points.push_back(point);

@@ -21,7 +21,8 @@ struct BalanceCurveOptions {
   void validate() const;
 };
 
-/// The map of one balance. Distortions are relative to the surface, that of areas to the target of balance 1; ideal 2.
+/// The map of one balance. Distortions are relative to the surface, that of areas to the target of balance 1; ideal
+/// 2.
 struct BalancePoint {
   double balance = 0;
   DistortionSummary metrics;    ///< of the finished map
@@ -37,15 +38,18 @@ struct BalanceCurve {
 };
 
 /// D_angle and D_area of the maps between conformal and area-preserving @cite nadeem2017: for every t the optimal
-/// transport from the Riemann map to the masses (1 − t) A_conf + t A_M (TargetMeasure::blended), finished by the exact
-/// area solve.
+/// transport from the Riemann map to the masses (1 − t) A_conf + t A_M (TargetMeasure::blended), finished by the
+/// exact area solve.
 ///
-/// One conformal map serves all; the transport of a t starts from the line through the heights of the two before it.
+/// One conformal map serves all, and one analysis of the systems; the transport of a t starts from the line through
+/// the heights of the two before it, its finish from that transport alone: a value on a curve is the value alone,
+/// but for the tolerance of the cells.
 /// Tolerances are those of a curve to choose by: the map itself is then made to its own (vtkOptimalTransportMap with
 /// that balance).
 /// Guarantees: as optimalTransportMap and authalicMap for every point. Not guaranteed: that the curve is monotone.
 /// Complexity: one conformal map, then per point a transport and an area solve.
-/// @throws InvalidArgument from options; GeometryError when the conformal map has folds, or as optimalTransportMap and
+/// @throws InvalidArgument from options; GeometryError when the conformal map has folds, or as optimalTransportMap
+/// and
 ///         authalicMap; SolverError
 [[nodiscard]] BalanceCurve balanceCurve(const DiskMesh& disk, const TargetMeasure& target,
                                         const BalanceCurveOptions& options = {}, const Execution& execution = {});

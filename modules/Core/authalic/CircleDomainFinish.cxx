@@ -7,6 +7,7 @@
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/CircleDomainStart.h"
+#include "Core/authalic/FilledHolesStart.h"
 #include "Core/authalic/Stopwatch.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -102,8 +103,9 @@ void putOnCircles(const CircleDomainAreas& areas, const std::vector<LoopOnCircle
   }
 }
 
-Points2 rounded(const PolyAnnulusMesh& surface, const CircleDomainAreas& areas, const std::vector<LoopOnCircle>& loops,
-                Points2 image, const Execution& execution) {
+// Circles around the middles of their cells. Folds may stay.
+UnfoldResult roundedInPlace(const PolyAnnulusMesh& surface, const CircleDomainAreas& areas,
+                            const std::vector<LoopOnCircle>& loops, Points2 image, const Execution& execution) {
   for (std::size_t k = 1; k < loops.size(); ++k) makeRound(areas, loops, k, image);
   putOnCircles(areas, loops, image);
   UnfoldResult unfolded = unfold(surface.topology(), image, execution, UnfoldReach::Patches);
@@ -111,12 +113,40 @@ Points2 rounded(const PolyAnnulusMesh& surface, const CircleDomainAreas& areas, 
   if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
     unfolded = untangle(surface.topology(), unfold(surface.topology(), std::move(image), execution).image);
   }
-  if (unfolded.flippedFaces > 0 && !execution.cancelled()) {
+  return unfolded;
+}
+
+// The image as one of a disk, holes closed by cones, unfolded: so that holes can be moved where there is room for them.
+Points2 unfoldedWithCones(const PolyAnnulusMesh& surface, const Points2& image, const HolesInDisk& holes,
+                          const Execution& execution) {
+  const TriangleMesh mesh = closedByCones(surface, holes.outerLoop);
+  const SurfaceTopology closed(mesh.faces(), mesh.vertexCount());
+  Points2 places(image.rows() + holes.centres.rows(), 2);
+  places << image, holes.centres;
+  return unfold(closed, std::move(places), execution).image.topRows(image.rows());
+}
+
+// Fills in where circles are, and the image around them.
+CircleFreedom makeHolesRound(const PolyAnnulusMesh& surface, const Points2& image, const HolesInDisk& holes,
+                             SolverBackend backend, const Execution& execution, CircleDomainStart& start) {
+  start.loops = loopsOf(surface, holes);
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
+  UnfoldResult unfolded = roundedInPlace(surface, areas, start.loops, image, execution.part(0, 0.4));
+  start.image = std::move(unfolded.image);
+  if (unfolded.flippedFaces == 0 || execution.cancelled()) return {};
+  std::vector<double> shares;
+  for (std::size_t k = 1; k < start.loops.size(); ++k) shares.push_back(start.loops[k].share);
+  RoundedHoles round = roundHoles(surface, unfoldedWithCones(surface, image, holes, execution.part(0.4, 0.6)), shares,
+                                  holes.outerLoop, backend, execution.part(0.6, 1));
+  if (round.folded > 0 && !execution.cancelled()) {
     throw GeometryError("An image that can be unfolded around round holes is required, but " +
-                        std::to_string(unfolded.flippedFaces) +
+                        std::to_string(round.folded) +
                         " faces stay folded; take smaller hole areas, or an authalic map to the circle domain.");
   }
-  return std::move(unfolded.image);
+  start.image = std::move(round.image);
+  start.loops = std::move(round.loops);
+  start.pockets = round.pockets;
+  return {true, false};
 }
 
 }  // namespace
@@ -129,17 +159,17 @@ CircleDomainAuthalicMapResult finishCircleDomain(const PolyAnnulusMesh& surface,
   requireOf(surface, image, holes);
   Stopwatch watch;
   CircleDomainStart start;
-  start.loops = loopsOf(surface, holes);
   start.holeAreas = holes.areas;
   start.outerLoop = holes.outerLoop;
   start.pockets = static_cast<int>(holes.pockets.size());
-  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount());
-  start.image = rounded(surface, areas, start.loops, image, execution.part(0, 0.2));
+  const CircleFreedom freedom =
+      makeHolesRound(surface, image, holes, options.solver, execution.part(0, 0.2), start);
   const double startSeconds = watch.lap();
+  const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount(), freedom);
   AreaSolveResult solved =
-      solveAreas(areas, surface.mesh(), target, start.image, options, execution.part(0.2, 1));
+      solveAreas(areas, surface.mesh(), target, areas.begun(start.image), options, execution.part(0.2, 1));
   CircleDomainAuthalicMapResult result;
-  static_cast<CircleDomainImage&>(result) = imageOf(start, solved.image);
+  static_cast<CircleDomainImage&>(result) = imageOf(start, areas.ended(solved.image, start.loops));
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
   result.flippedFaces = countFlippedFaces(result.image, surface.mesh().faces());

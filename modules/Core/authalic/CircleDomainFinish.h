@@ -19,10 +19,14 @@ struct HolesInDisk {
 ///
 /// Each inner loop is put on the circle around its centre that has its area T H_j / (A + Σ H), the plane around it
 /// following by r ↦ r + (R − ρ) e^{−(r − ρ)/R} with ρ the loop and R the circle in that direction; then folds are
-/// removed (unfold, untangle), and face and vertex steps are taken.
+/// removed (unfold, untangle). Where folds stay, as where a hole is long and its circle reaches into another or out
+/// of the disk, holes are closed by cones to their centres and the disk is unfolded; circles that overlap are
+/// pushed apart, loops go there as far at a time as no face folds (roundHoles in authalic/), and circles move in
+/// the solve. Then face and vertex steps are taken.
 ///
 /// @param image  n×2; outer loop on the unit circle, inner loops around their centres
-/// Guarantees and complexity: as circleDomainAuthalicMap, without its start. Holes stay around the given centres.
+/// Guarantees and complexity: as circleDomainAuthalicMap, without its start. Holes stay around the given centres
+/// where the first road leads to an image without folds.
 /// @throws InvalidArgument from options; GeometryError when the target, the image or the holes do not belong to the
 ///         surface, or folds stay; SolverError
 /// @cite zou2011 @cite su2016

@@ -58,7 +58,7 @@ DiscreteLieFlowResult discreteLieFlow(const DiskMesh& disk, const Points2& initi
   for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
     result.image.row(placement.vertices[i]) = placement.points.row(static_cast<Eigen::Index>(i));
   }
-  result.balancedStart = options.finish == LieFlowFinish::Match && options.domain.convex() &&
+  result.balancedStart = !options.keepInitial && options.finish == LieFlowFinish::Match && options.domain.convex() &&
                          farFromTarget(disk, target, result.image);
   if (result.balancedStart) {
     result.image = balancedStart(disk, result.image, target, options.solver, kBalanced, starting);

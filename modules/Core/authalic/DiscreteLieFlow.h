@@ -29,6 +29,8 @@ struct DiscreteLieFlowOptions {
                               ///< when mean |ln r| ≤ 0.6 and 5 steps lower neither error by 15 %
   double stepRatio = 0.6;     ///< μ of the adaptive step, in (0, 1)
   double fixedStep = 0;       ///< > 0: this step instead of the adaptive one (may collapse the mesh)
+  bool keepInitial = false;   ///< flow from the initial map however far off it is: nearer to optimal transport, slower;
+                              ///< for maps of a disk only
   LieFlowFinish finish = LieFlowFinish::Match;
   int maxFinishIterations = 40;  ///< least-squares steps of one pass, ≥ 0; further passes (3 at most) where faces had
                                  ///< collapsed
@@ -88,7 +90,7 @@ struct DiscreteLieFlowResult : LieFlowSolution {
 /// Where the initial map is so far off that its smallest triangles would pin the flow (some vertex star has less than
 /// e⁻⁸ or more than e⁸ of its share), and finish is Match, a reweighted barycentric map with the same boundary takes
 /// its place and the flow is left out (`balancedStart`, 0 iterations): what is left to do are the least-squares Lie
-/// steps.
+/// steps. With `keepInitial` the flow goes as far as it gets instead.
 ///
 /// On a polygon that is not convex the initial map may be folded beyond unfolding; then only its boundary is taken,
 /// and the start is a map of the surface to the disk, followed by the inverse of one of the polygon (polygonStart in

@@ -46,15 +46,14 @@ double flipFree(const AreaFunctional& areas, const Coordinates& image, const Coo
 }  // namespace
 
 FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets,
-                     const HalfEdgeWeights& cotangents, SolverBackend backend, Shapes shapes)
+                     const HalfEdgeWeights& cotangents, SolverBackend backend, Shapes shapes,
+                     AnalysedSystems& systems)
     : areas_(areas),
       targets_(targets),
       importance_(shapes == Shapes::Free ? Eigen::VectorXd::Ones(targets.size()) : faceImportance(targets)),
       shape_(areas, cotangents, importance_),
-      assembly_(areas.unknownCount(), elementUnknowns(areas)),
-      solver_(backend, PatternUse::Reused),
+      system_(systems.of(areas.unknownCount(), elementUnknowns(areas), backend, PatternUse::Reused)),
       values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
-  solver_.analyze(assembly_.matrix());
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
   const Pull& pull = shapes == Shapes::Free ? kNoPull : shapes == Shapes::First ? kLongPull : kShortPull;
   pull_ = pull.first;
@@ -129,7 +128,7 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
 
 void FaceMatch::factorise(double damping) {
   for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f, damping * stiffness_[f]);
-  solver_.factorize(assembly_.assemble(values_));
+  system_->factorize(system_->assemble(values_));
 }
 
 double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l) const {
@@ -140,7 +139,7 @@ Coordinates FaceMatch::step(const Coordinates& image) {
   factorise(damping_);
   const std::vector<Coordinates> moves = areas_.jointMoves(image);
   if (!moves.empty()) return jointStep(image, moves);
-  return areas_.displacement(frames_, solver_.solve(right_));
+  return areas_.displacement(frames_, system_->solver().solve(right_));
 }
 
 // A few thin triangles must not stop the whole map: their corners move by a part of what would collapse them.
@@ -198,7 +197,7 @@ double FaceMatch::advanceOnStars(StarConstraint& stars, double tolerance, Coordi
   const double before = stars.residual(image), astray = kAstray * std::max(residual(image), tolerance);
   for (;; dampingOnStars_ *= 10) {
     factorise(dampingOnStars_);
-    const Coordinates wanted = areas_.displacement(frames_, stars.solve(solver_, right_));
+    const Coordinates wanted = areas_.displacement(frames_, stars.solve(system_->solver(), right_));
     const double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, wanted));
     Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
     if (stars.residual(next) < kNearerStars * before && residual(next) <= astray) {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 
 #include "Core/authalic/ShapeEnergy.h"
 #include "Core/authalic/StarConstraint.h"
-#include "Core/numerics/ElementAssembly.h"
+#include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
 
@@ -35,8 +36,9 @@ class FaceMatch {
  public:
   /// @param targets     m shares > 0, sum 1
   /// @param cotangents  of the surface
+  /// @param systems     where the pattern and its analysis are kept
   FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
-            SolverBackend backend, Shapes shapes);
+            SolverBackend backend, Shapes shapes, AnalysedSystems& systems);
 
   /// One step; `image` has no folded face and keeps none.
   /// @return the part of δ taken, in (0, 1]; 0 when none lowered Φ
@@ -85,8 +87,7 @@ class FaceMatch {
   const Eigen::VectorXd& targets_;
   Eigen::VectorXd importance_;
   ShapeEnergy shape_;
-  ElementAssembly assembly_;
-  SparseSolver solver_;
+  std::shared_ptr<AssembledSystem> system_;
   std::vector<double> values_;
   AreaFunctional::Frames frames_;
   AreaFunctional::Gradients gradients_;

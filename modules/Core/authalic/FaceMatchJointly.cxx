@@ -83,7 +83,7 @@ Coordinates FaceMatch::jointStep(const Coordinates& image, const std::vector<Coo
       corner(n, m) = moves[static_cast<std::size_t>(n)].cwiseProduct(forces).sum();
     }
   }
-  const Eigen::MatrixXd solved = solver_.solve(sides);
+  const Eigen::MatrixXd solved = system_->solver().solve(sides);
   const auto border = sides.leftCols(count);
   corner -= border.transpose() * solved.leftCols(count);
   right -= border.transpose() * solved.col(count);

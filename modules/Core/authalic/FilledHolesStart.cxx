@@ -18,30 +18,6 @@ constexpr double kNear = 0.1;    // residual of the faces, with holes
 constexpr int kMostSteps = 30, kRoundingSteps = 12;
 constexpr double kStiff = 100;   // cones against the surface
 
-// The surface with a cone on every hole, tip in the mean of the loop; cones in the order of the loops after the faces.
-TriangleMesh filled(const PolyAnnulusMesh& surface, int outer) {
-  const TriangleMesh& mesh = surface.mesh();
-  Eigen::Index points = mesh.vertexCount(), faces = mesh.faceCount();
-  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
-    if (static_cast<int>(k) != outer) ++points, faces += static_cast<Eigen::Index>(surface.loops()[k].size());
-  }
-  Points3 places = Points3::Zero(points, 3);
-  Faces corners(faces, 3);
-  places.topRows(mesh.vertexCount()) = mesh.points();
-  corners.topRows(mesh.faceCount()) = mesh.faces();
-  Eigen::Index tip = mesh.vertexCount(), face = mesh.faceCount();
-  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
-    if (static_cast<int>(k) == outer) continue;
-    const std::vector<int>& loop = surface.loops()[k];
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      places.row(tip) += mesh.points().row(loop[i]) / static_cast<double>(loop.size());
-      corners.row(face++) << loop[(i + 1) % loop.size()], loop[i], static_cast<int>(tip);
-    }
-    ++tip;
-  }
-  return TriangleMesh(std::move(places), std::move(corners));
-}
-
 // Faces their targets, cones the areas of their holes, in mm².
 TargetMeasure withHoles(const PolyAnnulusMesh& surface, const TriangleMesh& whole, const TargetMeasure& target,
                         const std::vector<double>& holeAreas, int outer) {
@@ -85,7 +61,8 @@ Points2 rounder(const DiskMesh& disk, const TargetMeasure& targets, const HalfEd
   std::vector<LoopOnCircle> circle(1);
   circle[0].vertices = disk.boundary();
   const CircleDomainAreas areas(disk.mesh().faces(), circle, disk.mesh().vertexCount());
-  FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept);
+  AnalysedSystems systems;
+  FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept, systems);
   match.restart(kNear);
   Coordinates image = std::move(start);
   for (int step = 0; step < kRoundingSteps && !match.stalled() && !execution.cancelled(); ++step) {
@@ -96,10 +73,33 @@ Points2 rounder(const DiskMesh& disk, const TargetMeasure& targets, const HalfEd
 
 }  // namespace
 
+TriangleMesh closedByCones(const PolyAnnulusMesh& surface, int outer) {
+  const TriangleMesh& mesh = surface.mesh();
+  Eigen::Index points = mesh.vertexCount(), faces = mesh.faceCount();
+  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
+    if (static_cast<int>(k) != outer) ++points, faces += static_cast<Eigen::Index>(surface.loops()[k].size());
+  }
+  Points3 places = Points3::Zero(points, 3);
+  Faces corners(faces, 3);
+  places.topRows(mesh.vertexCount()) = mesh.points();
+  corners.topRows(mesh.faceCount()) = mesh.faces();
+  Eigen::Index tip = mesh.vertexCount(), face = mesh.faceCount();
+  for (std::size_t k = 0; k < surface.loops().size(); ++k) {
+    if (static_cast<int>(k) == outer) continue;
+    const std::vector<int>& loop = surface.loops()[k];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      places.row(tip) += mesh.points().row(loop[i]) / static_cast<double>(loop.size());
+      corners.row(face++) << loop[(i + 1) % loop.size()], loop[i], static_cast<int>(tip);
+    }
+    ++tip;
+  }
+  return TriangleMesh(std::move(places), std::move(corners));
+}
+
 RoundedHoles filledHolesStart(const PolyAnnulusMesh& surface, const TargetMeasure& target,
                               const std::vector<double>& holeAreas, int outer, SolverBackend backend,
                               const Execution& execution) {
-  const DiskMesh disk(filled(surface, outer));
+  const DiskMesh disk(closedByCones(surface, outer));
   AuthalicMapOptions near;
   near.tolerance = kNear;
   near.vertexTolerance = std::numeric_limits<double>::infinity();

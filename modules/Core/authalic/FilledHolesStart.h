@@ -10,6 +10,11 @@
 
 namespace authalic {
 
+/// The surface with a cone on every hole: a disk. Tips, in the means of their loops, follow the vertices, and cones the
+/// faces, in the order of the loops.
+/// @param outer  number of the loop that stays open
+[[nodiscard]] TriangleMesh closedByCones(const PolyAnnulusMesh& surface, int outer);
+
 /// Closes every hole by a cone that is to have its area, maps the disk that results with areas near their targets
 /// (authalicMap(), a few face steps), takes the cones away again and makes the holes round (roundHoles()).
 ///

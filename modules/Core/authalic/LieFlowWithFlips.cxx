@@ -15,7 +15,7 @@ constexpr double kWantedStep = 0.5;  // faces that would collapse before it are 
 
 // Whether the last steps were so short that a few faces pin the flow.
 bool pinned(const std::vector<LieFlowIteration>& history, const DiscreteLieFlowOptions& options) {
-  const bool handsOver = options.finish == LieFlowFinish::Match && options.fixedStep <= 0;
+  const bool handsOver = options.finish == LieFlowFinish::Match && options.fixedStep <= 0 && !options.keepInitial;
   if (!handsOver || std::ptrdiff_t(history.size()) < kPinnedSteps) return false;
   return std::all_of(history.end() - kPinnedSteps, history.end(), [](const auto& x) { return x.step < kPinnedStep; });
 }
@@ -24,7 +24,7 @@ bool pinned(const std::vector<LieFlowIteration>& history, const DiscreteLieFlowO
 bool slow(const std::vector<LieFlowIteration>& history, const LieFlowIteration& now,
           const DiscreteLieFlowOptions& options) {
   const bool handsOver = options.finish == LieFlowFinish::Match;
-  const std::size_t window = handsOver ? 5 : 30;
+  const std::size_t window = !handsOver ? 30 : options.keepInitial ? 10 : 5;
   if (history.size() < window || options.fixedStep > 0 || (handsOver && now.meanAbsLog > kFarFromTarget)) return false;
   const LieFlowIteration& before = history[history.size() - window];
   const double share = handsOver ? 0.85 : 0.99;

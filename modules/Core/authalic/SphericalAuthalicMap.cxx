@@ -59,7 +59,7 @@ Points3 makeStart(const SphereMesh& sphere, const TargetMeasure& target, const A
 
 SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const TargetMeasure& target,
                                                 const AuthalicMapOptions& options, const Points3& initial,
-                                                const Execution& execution) {
+                                                const Execution& execution, AnalysedSystems* systems) {
   options.validate();
   requireTargetOf(sphere.mesh(), target);
   const auto begun = std::chrono::steady_clock::now();
@@ -68,7 +68,7 @@ SphericalAuthalicMapResult sphericalAuthalicMap(const SphereMesh& sphere, const 
   SphericalAuthalicMapResult result;
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   AreaSolveResult solved = solveAreas(areas, sphere.mesh(), target, start, options, execution.part(0.3, 1),
-                                      Shapes::First);
+                                      Shapes::First, systems);
   result.image = rotateSphere(sphere.mesh(), Points3(solved.image));
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;

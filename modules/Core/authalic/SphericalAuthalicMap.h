@@ -19,6 +19,7 @@ struct SphericalAuthalicMapResult : AuthalicSolution {
 ///
 /// @param initial  n×3 on the unit sphere, or empty. One whose areas are far from their targets (a conformal map of a
 ///                 cortex) only decides where the two disks meet.
+/// @param systems  for several targets on one surface, as authalicMap()
 /// Guarantees and failures as authalicMap(); the start of a surface that folds on the sphere beyond repair is
 /// refused.
 /// @throws InvalidArgument from options; GeometryError when initial or target do not belong to the surface, or
@@ -28,6 +29,7 @@ struct SphericalAuthalicMapResult : AuthalicSolution {
                                                               const TargetMeasure& target,
                                                               const AuthalicMapOptions& options = {},
                                                               const Points3& initial = {},
-                                                              const Execution& execution = {});
+                                                              const Execution& execution = {},
+                                                              AnalysedSystems* systems = nullptr);
 
 }  // namespace authalic

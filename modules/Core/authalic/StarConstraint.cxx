@@ -26,14 +26,14 @@ double starResidual(const AreaFunctional& areas, const Eigen::VectorXd& targets,
   return worst;
 }
 
-StarConstraint::StarConstraint(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend)
-    : areas_(areas), targets_(targets), preconditioner_(backend, PatternUse::Once) {}
+StarConstraint::StarConstraint(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend,
+                               AnalysedSystems& systems)
+    : areas_(areas), targets_(targets), backend_(backend), systems_(systems) {}
 
 void StarConstraint::linearise(const Eigen::VectorXd& faceAreas, const AreaFunctional::Gradients& gradients,
                                const Eigen::VectorXd& weights) {
-  if (assembly_ == nullptr) {
-    assembly_ = std::make_unique<ElementAssembly>(areas_.vertexCount(), areas_.faces());
-    preconditioner_.analyze(assembly_->matrix());
+  if (preconditioner_ == nullptr) {
+    preconditioner_ = systems_.of(areas_.vertexCount(), areas_.faces(), backend_, PatternUse::Once);
   }
   gradients_ = &gradients;
   total_ = faceAreas.sum();
@@ -42,12 +42,12 @@ void StarConstraint::linearise(const Eigen::VectorXd& faceAreas, const AreaFunct
   for (Eigen::Index f = 0; f < weights.size(); ++f) {
     std::fill_n(&values[static_cast<std::size_t>(6 * f)], 6, 1 / (9 * weights[f]));
   }
-  SparseMatrix matrix = assembly_->assemble(values);
+  SparseMatrix matrix = preconditioner_->assemble(values);
   for (int v = 0; v < matrix.cols(); ++v) {
     double& diagonal = matrix.valuePtr()[matrix.outerIndexPtr()[v]];
     diagonal = diagonal > 0 ? diagonal * (1 + kRegularisation) : 1;  // 1 where no face uses the vertex
   }
-  preconditioner_.factorize(matrix);
+  preconditioner_->factorize(matrix);
 }
 
 Eigen::VectorXd StarConstraint::starChanges(const Eigen::VectorXd& step) const {
@@ -84,7 +84,7 @@ Eigen::VectorXd StarConstraint::solve(const SparseSolver& system, const Eigen::V
   const double enough = kAccuracy * farthest(left);
   double before = 1;
   for (int k = 0; k < kMostIterations && farthest(left) > enough; ++k) {
-    const Eigen::VectorXd scaled = preconditioner_.solve(left);
+    const Eigen::VectorXd scaled = preconditioner_->solver().solve(left);
     const double square = left.dot(scaled);
     direction = k == 0 ? scaled : Eigen::VectorXd(scaled + (square / before) * direction);
     before = square;

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "Core/authalic/AreaFunctional.h"
-#include "Core/numerics/ElementAssembly.h"
+#include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
 
@@ -23,7 +23,9 @@ namespace authalic {
 class StarConstraint {
  public:
   /// @param targets  n shares, sum 1; kept by reference, as `areas` is
-  StarConstraint(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend);
+  /// @param systems  where the pattern of the preconditioner and its analysis are kept; by reference
+  StarConstraint(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend,
+                 AnalysedSystems& systems);
 
   /// @param faceAreas  m, of the image
   /// @param gradients  G there; kept by reference
@@ -45,8 +47,9 @@ class StarConstraint {
 
   const AreaFunctional& areas_;
   const Eigen::VectorXd& targets_;
-  std::unique_ptr<ElementAssembly> assembly_;  // made when first needed, with the analysis of the preconditioner
-  SparseSolver preconditioner_;
+  SolverBackend backend_;
+  AnalysedSystems& systems_;
+  std::shared_ptr<AssembledSystem> preconditioner_;  // found when first needed
   const AreaFunctional::Gradients* gradients_ = nullptr;
   Eigen::VectorXd lacking_;  // e
   double total_ = 1;         // area of the image

@@ -52,11 +52,11 @@ TargetMeasure::TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd&
                         std::to_string(surface.faceCount()) + " faces have none.");
   }
   shares_ /= total;
-  raiseSmallTargets(surface);
+  raiseSmallTargets(surface, kSmallestTarget);
 }
 
-void TargetMeasure::raiseSmallTargets(const TriangleMesh& surface) {
-  const double smallest = kSmallestTarget / surface.faceCount();
+void TargetMeasure::raiseSmallTargets(const TriangleMesh& surface, double ofMean) {
+  const double smallest = ofMean / surface.faceCount();
   vertices_ = vertexStars(shares_, surface.faces(), surface.vertexCount());
   faces_ = shares_;
   clampedFaces_ = 0;
@@ -98,7 +98,7 @@ TargetMeasure TargetMeasure::blended(const TriangleMesh& surface, const Eigen::V
   TargetMeasure result = *this;
   result.shares_ = (1 - ofFace.array()) * imageAreas.array() / imageAreas.sum() + ofFace.array() * shares_.array();
   result.shares_ /= result.shares_.sum();
-  result.raiseSmallTargets(surface);
+  result.raiseSmallTargets(surface, ofFace.maxCoeff() > 0 ? kSmallestTarget : 0);  // at 0 the image has them all
   return result;
 }
 

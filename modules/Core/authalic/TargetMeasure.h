@@ -56,7 +56,7 @@ class TargetMeasure {
 
  private:
   TargetMeasure(const TriangleMesh& surface, const Eigen::VectorXd& faceDensity);
-  void raiseSmallTargets(const TriangleMesh& surface);
+  void raiseSmallTargets(const TriangleMesh& surface, double ofMean);
 
   Eigen::VectorXd shares_, faces_, vertices_;
   int clampedFaces_ = 0;

@@ -31,9 +31,11 @@ AreaFunctional::Frames fullFrames(const AreaFunctional& areas, const Coordinates
 
 }  // namespace
 
-VertexMatch::VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend)
-    : areas_(areas), targets_(targets), assembly_((findStars(), areas.vertexCount()), starts_, stars_),
-      solver_(backend, PatternUse::Once) {
+VertexMatch::VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend,
+                         AnalysedSystems& systems)
+    : areas_(areas), targets_(targets) {
+  findStars();
+  system_ = systems.of(areas.vertexCount(), starts_, stars_, backend, PatternUse::Once);
   std::size_t entries = 0;
   for (std::size_t w = 0; w + 1 < starts_.size(); ++w) {
     const auto size = static_cast<std::size_t>(starts_[w + 1] - starts_[w]);
@@ -130,15 +132,13 @@ Coordinates VertexMatch::step(const Eigen::VectorXd& error) {
       }
     }
   }
-  SparseMatrix matrix = assembly_.assemble(values_);
+  SparseMatrix matrix = system_->assemble(values_);
   for (int v = 0; v < matrix.cols(); ++v) {
     double& diagonal = matrix.valuePtr()[matrix.outerIndexPtr()[v]];
     diagonal = diagonal > 0 ? diagonal * (1 + kRegularisation) : 1;
   }
-  if (!analysed_) solver_.analyze(matrix);  // what starts near enough never comes here
-  analysed_ = true;
-  solver_.factorize(matrix);
-  const Eigen::VectorXd multipliers = solver_.solve(error);
+  system_->factorize(matrix);
+  const Eigen::VectorXd multipliers = system_->solver().solve(error);
   Eigen::VectorXd step = Eigen::VectorXd::Zero(areas_.unknownCount());
   for (int w = 0; w < areas_.vertexCount(); ++w) {
     for (int j = 0; j < areas_.freedom(w); ++j) {

@@ -2,8 +2,10 @@
 /// Newton steps that bring every vertex star to its target area, to machine precision. Private to authalic/.
 #pragma once
 
+#include <memory>
+
 #include "Core/authalic/AreaFunctional.h"
-#include "Core/numerics/ElementAssembly.h"
+#include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
 
@@ -21,7 +23,9 @@ namespace authalic {
 class VertexMatch {
  public:
   /// @param targets  n shares, sum 1; vertices with target 0 (no face) are left out
-  VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend);
+  /// @param systems  where the pattern and its analysis are kept
+  VertexMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, SolverBackend backend,
+              AnalysedSystems& systems);
 
   /// One step, as long as no face folds.
   /// @return the part of δ taken, in (0, 1]
@@ -47,9 +51,7 @@ class VertexMatch {
   std::vector<int> place_;             // 9 per face: place in the star of corner k of corner l
   std::vector<double> jacobian_;       // 2 per entry of stars_
   std::vector<double> values_;
-  ElementAssembly assembly_;
-  SparseSolver solver_;
-  bool analysed_ = false;
+  std::shared_ptr<AssembledSystem> system_;
   AreaFunctional::Frames frames_;
   Eigen::VectorXd mobility_;           // 1 / W
 };

@@ -49,6 +49,16 @@ Eigen::VectorXd signedDeterminants(const Points3& image, const Faces& faces) {
   return values;
 }
 
+MeasuredImage onTheSphere(const TriangleMesh& surface, const Points3& image) {
+  requireImagePerVertex(surface, image.rows());
+  requireOnUnitSphere(image);
+  MeasuredImage measured;
+  measured.points = image.rowwise().normalized();
+  measured.areas = signedSolidAngles(measured.points, surface.faces());
+  measured.flatAreas = signedChordAreas(measured.points, surface.faces());
+  return measured;
+}
+
 }  // namespace
 
 Points3 ontoUnitSphere(const Points3& image) {
@@ -67,12 +77,10 @@ Points3 ontoUnitSphere(const Points3& image) {
 
 SphericalDistortion measureSphericalDistortion(const TriangleMesh& surface, const Points3& image,
                                                const Eigen::VectorXd& target) {
-  requireImagePerVertex(surface, image.rows());
-  requireOnUnitSphere(image);
-  const Points3 onSphere = image.rowwise().normalized();
-  const Eigen::VectorXd solidAngles = signedSolidAngles(onSphere, surface.faces());
-  const Eigen::VectorXd flatAreas = signedChordAreas(onSphere, surface.faces());
-  Distortion distortion = measureImage(surface, {onSphere, solidAngles, flatAreas}, target);
+  const MeasuredImage measured = onTheSphere(surface, image);
+  const Points3& onSphere = measured.points;
+  const Eigen::VectorXd &solidAngles = measured.areas, &flatAreas = measured.flatAreas;
+  Distortion distortion = measureImage(surface, measured, target);
   measureSpreads(distortion);
   SphericalDistortion result;
   result.arrays = std::move(distortion.arrays);
@@ -87,6 +95,13 @@ SphericalDistortion measureSphericalDistortion(const TriangleMesh& surface, cons
   result.flippedBySolidAngle = countNotPositive(sign * solidAngles);
   result.flippedByVolume = countNotPositive(sign * signedDeterminants(onSphere, surface.faces()));
   return result;
+}
+
+DistortionSummary summariseSphericalDistortion(const TriangleMesh& surface, const Points3& image,
+                                               const Eigen::VectorXd& target) {
+  Distortion distortion = measureImage(surface, onTheSphere(surface, image), target);
+  measureSpreads(distortion);
+  return distortion.summary;
 }
 
 }  // namespace authalic

@@ -35,6 +35,11 @@ struct SphericalDistortion {
 [[nodiscard]] SphericalDistortion measureSphericalDistortion(const TriangleMesh& surface, const Points3& image,
                                                              const Eigen::VectorXd& target = {});
 
+/// SphericalDistortion::summary alone, in half the time.
+/// @throws GeometryError as measureSphericalDistortion()
+[[nodiscard]] DistortionSummary summariseSphericalDistortion(const TriangleMesh& surface, const Points3& image,
+                                                             const Eigen::VectorXd& target = {});
+
 /// An image on a sphere of any radius around 0, along its radii onto the unit sphere: files of other programs hold
 /// spheres of radius 100 whose single-precision points lie off it by 1e-4.
 /// @throws GeometryError when a radius differs from their mean by more than 1 in 1,000, or the mean is 0 or not finite

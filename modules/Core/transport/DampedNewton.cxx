@@ -91,12 +91,12 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
     if (result.status != Status::NotConverged || result.iterations >= options.maxIterations) break;
     execution.report(1 - std::log(result.residual / options.tolerance) / firstLog, "Optimal transport");
     const Eigen::VectorXd step = newtonStep(cells, error, options.solver, entries);
-    const double size = error.norm();
+    const double size = error.norm(), largest = error.cwiseAbs().maxCoeff();
     for (part = std::min(1.0, kGrowth * part); part > kShortestStep; part /= 2) {
       if (!cells.compute(result.heights + (part * step).cast<long double>())) continue;
       if (!(cells.areas().minCoeff() >= floor)) continue;
       error = cells.areas() - masses;
-      if (error.norm() <= (1 - part / 2) * size) break;
+      if (error.norm() <= (1 - part / 2) * size && error.cwiseAbs().maxCoeff() <= largest) break;
     }
     if (part <= kShortestStep) {
       (void)cells.compute(result.heights);

@@ -43,14 +43,16 @@ struct TransportSolution {
 ///
 /// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
 /// ∂w_i/∂h_j = −|e_ij| / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a step
-/// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν) and |w − ν| falls to (1 −
-/// α/2) of itself, else halved; the next one tried is four times longer, 1 at most. Converges from every start
-/// without empty cells, at the end quadratically.
+/// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν), |w − ν|₂ falls to (1 − α/2)
+/// of itself and |w − ν|∞ does not grow, else halved; the next one tried is four times longer, 1 at most. The error
+/// after a step α is (1 − α)(w − ν) + O(α²) in any norm, so that short steps always pass: converges from every
+/// start without empty cells, at the end quadratically.
 ///
 /// @param diagram  its sites and domain; holds the cells of the result afterwards
 /// @param masses   ν, n, > 0, with the sum of the domain's area (to 1e-6; scaled to it exactly)
 /// @param start    n heights without empty cells, or empty for startHeights
-/// Guarantees: no cell of any iterate is empty; when not converged, the best iterate with its residual.
+/// Guarantees: no cell of any iterate is empty; the 2-norm of the error falls and its largest entry, the residual
+/// of the history, does not grow at any step; when not converged, the best iterate with its residual.
 /// Complexity: a power diagram and a sparse factorisation of size n per step, O(n^1.5).
 /// @throws InvalidArgument from options; GeometryError when a mass is not positive or their sum differs from the
 ///         area, or the start has empty cells; SolverError when a system cannot be factorised
