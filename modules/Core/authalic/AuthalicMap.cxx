@@ -58,21 +58,20 @@ struct Start {
 // The boundary of a placement and a balanced barycentric map inside.
 Start balanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
                const AuthalicMapOptions& options, const Execution& execution) {
-  Points2 image = balancedStart(disk, boundary, target, options.solver, kWithinSight, execution);
-  image = reviveCollapsedFaces(disk, image, target, options.solver);
-  UnfoldResult unfolded = unfold(disk.topology(), std::move(image), execution);
-  if (unfolded.flippedFaces > 0) return {std::move(unfolded.image), unfolded.flippedFaces};
-  return {openNarrowFaces(disk, unfolded.image, target, options.solver)};
+  const Points2 image = balancedStart(disk, boundary, target, options.solver, kWithinSight, execution.part(0, 0.9));
+  UnfoldResult opened = openNarrowFaces(disk, image, target, options.solver, execution.part(0.9, 1));
+  return {std::move(opened.image), opened.flippedFaces};
 }
 
 // The same with the fixed point of the stretch energy inside, where its stars come within sight and its folds are few:
 // better angles.
 Start stretchedOrBalanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
                           const AuthalicMapOptions& options, const Execution& execution) {
-  StretchStart stretched = stretchStart(disk, boundary, target, options.solver, kWellInSight, execution);
+  const StretchStart stretched =
+      stretchStart(disk, boundary, target, options.solver, kWellInSight, execution.part(0, 0.9));
   if (stretched.usable(kWithinSight, disk.mesh().faceCount())) {
-    UnfoldResult unfolded = unfold(disk.topology(), std::move(stretched.image), execution);
-    if (unfolded.flippedFaces == 0) return {openNarrowFaces(disk, unfolded.image, target, options.solver), 0, true};
+    UnfoldResult opened = openNarrowFaces(disk, stretched.image, target, options.solver, execution.part(0.9, 1));
+    if (opened.flippedFaces == 0) return {std::move(opened.image), 0, true};
   }
   return balanced(disk, boundary, target, options, execution);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/FaceMatch.h"
 #include "Core/authalic/Patches.h"
 #include "Core/authalic/PlanarAreas.h"
@@ -12,6 +13,7 @@
 namespace authalic {
 namespace {
 
+constexpr double kCollapsed = 1e-4;           // share of its target from where a face does not open by itself
 constexpr double kNarrow = 0.1, kOpen = 0.3;  // share of a face by its target, in the image and in its patch
 constexpr int kMostSteps = 60;                // in a patch
 constexpr double kGoal = 0.1;                 // residual of a patch, by far smaller than that of an open one
@@ -78,7 +80,8 @@ void openPatch(const DiskMesh& disk, const Patch& patch, const TargetMeasure& ta
   Eigen::VectorXd shares = target.faces()(patch.faces);
   shares /= shares.sum();
   const Points3 surface = disk.mesh().points()(patch.vertices, Eigen::all);
-  FaceMatch match(areas, shares, cotangentWeights(surface, patch.corners), backend, Shapes::Free);
+  AnalysedSystems systems;
+  FaceMatch match(areas, shares, cotangentWeights(surface, patch.corners), backend, Shapes::Free, systems);
   match.restart(kGoal);
   Coordinates points = image(patch.vertices, Eigen::all);
   const auto narrowest = [&] {
@@ -91,16 +94,19 @@ void openPatch(const DiskMesh& disk, const Patch& patch, const TargetMeasure& ta
 
 }  // namespace
 
-Points2 openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
-                        SolverBackend backend) {
+UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
+                             SolverBackend backend, const Execution& execution) {
   const Faces& faces = disk.mesh().faces();
-  Points2 result = image;
+  UnfoldResult result =
+      unfold(disk.topology(), reviveCollapsedFaces(disk, image, target, backend, kCollapsed), execution);
+  if (result.flippedFaces > 0) return result;
+  result.image = reviveCollapsedFaces(disk, result.image, target, backend, kCollapsed);
   for (const int rings : {4, 8, 16}) {
-    const Eigen::VectorXd areas = signedFaceAreas(result, faces);
+    const Eigen::VectorXd areas = signedFaceAreas(result.image, faces);
     const auto narrow = areas.array() < kNarrow * areas.sum() * target.faces().array();
     if (!narrow.any()) break;
     const Parts parts = partsBetween(heldAround(disk, narrow, rings), faces);
-    for (const Patch& patch : patchesOf(parts, faces)) openPatch(disk, patch, target, backend, result);
+    for (const Patch& patch : patchesOf(parts, faces)) openPatch(disk, patch, target, backend, result.image);
   }
   return result;
 }

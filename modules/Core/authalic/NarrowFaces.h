@@ -1,24 +1,28 @@
 /// @file
-/// Opens the few faces of a start that are much too small, patch by patch. Private to authalic/.
+/// Opens the few faces of a start that are folded or much too small, patch by patch. Private to authalic/.
 #pragma once
 
 #include "Core/authalic/TargetMeasure.h"
+#include "Core/initial/Unfold.h"
 #include "Core/mesh/DiskMesh.h"
 #include "Core/numerics/SparseSolver.h"
 
 namespace authalic {
 
-/// Matches areas in patches around the faces that have less than a tenth of their share, everything else held.
+/// A start without folds and without faces that are much too small, from one with few of both.
 ///
-/// Behind a neck of a few edges, or in needles, a harmonic map leaves faces of 1e-3 of their share and less. They are
-/// few, but every step of a match of all faces ends where the first of them would collapse. In a patch of a few rings
-/// around them the same steps cost next to nothing, and only the patch waits for them: the elimination of what is
-/// strongly nonlinear before a global step.
+/// Behind a neck of a few edges, or in needles, a harmonic map folds faces or leaves them 1e-3 of their share and less.
+/// They are few, but every step of a match of all faces ends where the first of them would collapse. In a patch of a
+/// few rings around them such steps cost next to nothing, and only the patch waits for them: what is strongly
+/// nonlinear is eliminated before the global steps begin.
 ///
-/// The patches have 4, 8 and 16 rings; in each, FaceMatch brings the faces to their part of the area that the patch
-/// has. A patch ends when each of its faces has a third of that, or when nothing moves.
-/// @param image  n×2 without folds; has none afterwards
-[[nodiscard]] Points2 openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
-                                      SolverBackend backend);
+/// Collapsed faces are revived (reviveCollapsedFaces) and folded ones unfolded; what unfolding has left collapsed is
+/// revived again. Where no fold is left, areas are then matched in patches of 4, 8 and 16 rings around the faces that
+/// have less than a tenth of their share, the rest held: FaceMatch brings the faces of a patch to their part of the
+/// area that the patch has. A patch ends when each of its faces has a third of that, or when nothing moves.
+/// @param image  n×2
+/// @return the image and its folds; they are left only where unfold() leaves some
+[[nodiscard]] UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
+                                           SolverBackend backend, const Execution& execution);
 
 }  // namespace authalic

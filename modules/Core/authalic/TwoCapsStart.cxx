@@ -14,14 +14,12 @@
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/initial/BarycentricMap.h"
-#include "Core/initial/Unfold.h"
 
 namespace authalic {
 namespace {
 
 constexpr std::array<double, 7> kHeights{0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35};  // where the sphere is divided
 constexpr int kRoundsWithEars = 20;
-constexpr double kCollapsed = 1e-4;    // share of its target from where a face does not open by itself
 constexpr double kWellInSight = 0.5;  // of what is good enough, for a start that gets better with every round
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -163,11 +161,10 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   const Points2 plain = barycentricMap(disk, tutte).image;
   const StretchStart stretched =
       stretchStart(disk, plain, own, backend, kWellInSight * goodEnough, execution.part(0, 0.5));
-  half.image = stretched.usable(goodEnough, disk.mesh().faceCount())
-                   ? reviveCollapsedFaces(disk, stretched.image, own, backend, kCollapsed)
-                   : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 1));
-  half.image = unfold(disk.topology(), std::move(half.image)).image;
-  half.image = openNarrowFaces(disk, half.image, own, backend);
+  const bool usable = stretched.usable(goodEnough, disk.mesh().faceCount());
+  const Points2 start =
+      usable ? stretched.image : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 0.9));
+  half.image = openNarrowFaces(disk, start, own, backend, execution.part(0.9, 1)).image;
   return half;
 }
 
