@@ -211,10 +211,10 @@ TEST(CircleDomainAuthalicMap, RefusesHolesThatDoNotFitAndListsThatDoNotBelong) {
 
 TEST(CircleDomainAuthalicMap, NamesThePeriodicRectangleWhereALongTubeShrinksItsHoleToAPoint) {
   const PolyAnnulusMesh tube(authalic::testing::revolutionMesh(
-      12, 80, [](double) { return 1.0; }, [](double t) { return 40 * t; }));
+      12, 160, [](double) { return 1.0; }, [](double t) { return 80 * t; }));
   try {
     (void)circleDomainAuthalicMap(tube, TargetMeasure(tube.mesh()));
-    FAIL() << "a tube 40 radii long was mapped";
+    FAIL() << "a tube 80 radii long was mapped";
   } catch (const GeometryError& refused) {
     EXPECT_NE(std::string(refused.what()).find("periodic-rectangle"), std::string::npos) << refused.what();
   }
