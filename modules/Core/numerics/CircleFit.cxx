@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "Core/base/Error.h"
 
@@ -18,7 +19,11 @@ FittedCircle fitCircle(const Points2& points, const std::vector<int>& vertices) 
   chosen.rowwise() -= middle;
   const double size = count > 0 ? chosen.cwiseAbs().maxCoeff() : 0;
   if (count < 3 || !(size > 0)) {
-    throw GeometryError("At least three different points are required for a circle.");
+    throw GeometryError("At least three different points are required for a circle, but " +
+                        std::to_string(count) +
+                        (count < 3 ? " are given."
+                                   : " lie in one place: a map has shrunk their loop beyond the digits of "
+                                     "a number; for a long tube take the domain periodic-rectangle."));
   }
   chosen /= size;
   Eigen::MatrixX3d system(count, 3);
