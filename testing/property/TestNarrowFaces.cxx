@@ -1,0 +1,67 @@
+/// Starts of the area solve with few faces that are folded, collapsed or much too small.
+#include <gtest/gtest.h>
+
+#include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/NarrowFaces.h"
+#include "Core/geometry/Areas.h"
+#include "support/TestMeshes.h"
+
+using namespace authalic;
+using authalic::testing::diskMesh;
+using authalic::testing::gridMesh;
+
+namespace {
+
+// Smallest image share of a face by its target.
+double narrowest(const DiskMesh& disk, const TargetMeasure& target, const Points2& image) {
+  const Eigen::ArrayXd areas = signedFaceAreas(image, disk.mesh().faces());
+  return (areas / (areas.sum() * target.faces().array())).minCoeff();
+}
+
+}  // namespace
+
+TEST(NarrowFaces, AreOpenedInTheirPatchAndNothingElseMoves) {
+  const DiskMesh disk(diskMesh(60));
+  const TargetMeasure target(disk.mesh());
+  const Points2 plain = disk.mesh().points().leftCols(2);
+  const Eigen::RowVector2d centre(0.2, 0.1);
+  const double radius = 0.1;
+  Points2 image = plain;
+  for (auto point : image.rowwise()) {
+    const Eigen::RowVector2d arm = point - centre;
+    if (arm.norm() < radius) point = centre + arm * std::pow(arm.norm() / radius, 3);
+  }
+  ASSERT_GT(narrowest(disk, target, image), 0);
+  ASSERT_LT(narrowest(disk, target, image), 1e-4);
+  const UnfoldResult opened = openNarrowFaces(disk, image, target, SolverBackend::Automatic, {});
+  EXPECT_EQ(opened.flippedFaces, 0);
+  EXPECT_GE(narrowest(disk, target, opened.image), 0.1);
+  for (Eigen::Index v = 0; v < plain.rows(); ++v) {
+    if ((plain.row(v) - centre).norm() < 0.5) continue;
+    EXPECT_EQ(opened.image.row(v), image.row(v));
+  }
+}
+
+TEST(NarrowFaces, StayAsTheyAreWhereNoneIs) {
+  const DiskMesh disk(diskMesh(12));
+  const Points2 image = disk.mesh().points().leftCols(2);
+  const UnfoldResult opened =
+      openNarrowFaces(disk, image, TargetMeasure(disk.mesh()), SolverBackend::Automatic, {});
+  EXPECT_EQ(opened.image, image);
+}
+
+TEST(NarrowFaces, ThatCollapseAreRevivedThoughOthersCannotBe) {
+  const DiskMesh disk(gridMesh(21, 20));
+  const TargetMeasure target(disk.mesh());
+  Points2 image = disk.mesh().points().leftCols(2);
+  const int corner = 21, middle = 10 * 22 + 10;
+  image.row(corner) = 0.5 * (image.row(20) + image.row(43));  // the only face of the corner is flat, and held
+  image(middle, 0) += 0.08;                                   // folds faces around it
+  const Points2 revived = reviveCollapsedFaces(disk, image, target, SolverBackend::Automatic);
+  EXPECT_EQ(revived.row(corner), image.row(corner));
+  EXPECT_LE(narrowest(disk, target, revived), 0);
+  const Eigen::VectorXd before = signedFaceAreas(image, disk.mesh().faces()),
+                        after = signedFaceAreas(revived, disk.mesh().faces());
+  ASSERT_LT(before.minCoeff(), -1e-6);
+  EXPECT_EQ((after.array() <= 1e-12).count(), 1);
+}
