@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "Core/base/Error.h"
+
 namespace authalic {
 namespace {
 
@@ -126,9 +128,15 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
   }
 }
 
-void FaceMatch::factorise(double damping) {
+// Whether there is enough damping for a positive definite matrix.
+bool FaceMatch::factorise(double damping) {
   for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f, damping * stiffness_[f]);
-  system_->factorize(system_->assemble(values_));
+  try {
+    system_->factorize(system_->assemble(values_));
+  } catch (const SolverError&) {
+    return false;
+  }
+  return true;
 }
 
 double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l) const {
@@ -136,7 +144,6 @@ double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l)
 }
 
 Coordinates FaceMatch::step(const Coordinates& image) {
-  factorise(damping_);
   const std::vector<Coordinates> moves = areas_.jointMoves(image);
   if (!moves.empty()) return jointStep(image, moves);
   return areas_.displacement(frames_, system_->solver().solve(right_));
@@ -175,6 +182,10 @@ void FaceMatch::adapt(double step) {
 double FaceMatch::advance(Coordinates& image) {
   linearise(image);
   const double before = objective(image);
+  if (!factorise(damping_)) {
+    adapt(0);
+    return 0;
+  }
   const Coordinates wanted = step(image);
   stiffen(image, wanted);
   const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
@@ -195,17 +206,17 @@ double FaceMatch::advanceOnStars(StarConstraint& stars, double tolerance, Coordi
   linearise(image);
   stars.linearise(areas_.areas(image), gradients_, weights_);
   const double before = stars.residual(image), astray = kAstray * std::max(residual(image), tolerance);
-  for (;; dampingOnStars_ *= 10) {
-    factorise(dampingOnStars_);
+  for (; dampingOnStars_ <= kMostDampingOnStars; dampingOnStars_ *= 10) {
+    if (!factorise(dampingOnStars_)) continue;
     const Coordinates wanted = areas_.displacement(frames_, stars.solve(system_->solver(), right_));
     const double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, wanted));
     Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
-    if (stars.residual(next) < kNearerStars * before && residual(next) <= astray) {
-      image = std::move(next);
-      return part;
-    }
-    if (dampingOnStars_ >= kMostDampingOnStars) return 0;
+    if (!(stars.residual(next) < kNearerStars * before && residual(next) <= astray)) continue;
+    image = std::move(next);
+    return part;
   }
+  dampingOnStars_ = kMostDampingOnStars;
+  return 0;
 }
 
 }  // namespace authalic

@@ -70,7 +70,7 @@ class FaceMatch {
   [[nodiscard]] Eigen::ArrayXd faceErrors(const Eigen::VectorXd& areas) const;
   [[nodiscard]] double objective(const Coordinates& image) const;
   void linearise(const Coordinates& image);
-  void factorise(double damping);
+  [[nodiscard]] bool factorise(double damping);
   [[nodiscard]] Coordinates step(const Coordinates& image);
   void fillElement(Eigen::Index face, double damping);
   [[nodiscard]] double edgeStiffness(Eigen::Index face, double damping, int k, int l) const;
