@@ -26,7 +26,7 @@ struct Pull {
   double first, falls, usual;
 };
 
-constexpr Pull kNoPull{0, 1, 0}, kShortPull{0.01, 0.35, 1}, kLongPull{0.1, 0.5, 5};
+constexpr Pull kNoPull{0, 1, 0}, kShortPull{0.01, 0.35, 1}, kLongPull{0.1, 0.5, 8};
 
 ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
   const Faces& faces = areas.faces();
@@ -71,7 +71,7 @@ void FaceMatch::restart(double goal) noexcept {
 
 void FaceMatch::relax() noexcept {
   leastDamping_ = std::max(0.3 * leastDamping_, kLeastDamping);
-  leastPull_ = std::max(0.3 * leastPull_, endPull_);
+  leastPull_ = std::max(0.5 * leastPull_, endPull_);
 }
 
 // m_t (r_t + 1/r_t − 2); infinite when a face is folded.
