@@ -54,7 +54,8 @@ struct BarycentricImage {
 [[nodiscard]] Points2 balancedStart(const SurfaceTopology& topology, const BarycentricImage& map, const Points2& image,
                                     const TargetMeasure& target, double goodEnough, const Execution& execution);
 
-/// The same within small patches around the faces that have collapsed (less than 1e-2 of their share), the rest held.
+/// The same within small patches around the faces that have collapsed (less than `collapsed` of their share), the rest
+/// held; every patch has its own best round.
 [[nodiscard]] Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend, double collapsed = 1e-2);
 

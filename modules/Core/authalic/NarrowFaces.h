@@ -14,7 +14,7 @@ namespace authalic {
 /// Behind a neck of a few edges, or in needles, a harmonic map folds faces or leaves them 1e-3 of their share and less.
 /// They are few, but every step of a match of all faces ends where the first of them would collapse. In a patch of a
 /// few rings around them such steps cost next to nothing, and only the patch waits for them: what is strongly
-/// nonlinear is eliminated before the global steps begin.
+/// nonlinear is eliminated before the global steps begin @cite cai2002.
 ///
 /// Collapsed faces are revived (reviveCollapsedFaces) and folded ones unfolded; what unfolding has left collapsed is
 /// revived again. Where no fold is left, areas are then matched in patches of 4, 8 and 16 rings around the faces that
