@@ -159,14 +159,23 @@ TEST(SurfaceFile, SplitsQuadranglesByTheParityOfTheirFirstCorner) {
   }
 }
 
+namespace {
+
+/// The bytes of a FreeSurfer surface in tkRAS whose footer has a geometry.
+std::string withObliqueGeometry(const std::string& path) {
+  SurfaceFile surface = sphere();
+  surface.geometry = obliqueGeometry();
+  surface.space = CoordinateSpace::TkRAS;
+  writeFreeSurferSurface(path, surface);
+  std::ifstream input(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(input), {}};
+}
+
+}  // namespace
+
 TEST(SurfaceFile, FollowsUnknownTagsAndKeepsGeometryWhenTheyLeadNowhere) {
   const TemporaryFolder folder;
-  SurfaceFile original = sphere();
-  original.geometry = obliqueGeometry();
-  original.space = CoordinateSpace::TkRAS;
-  writeFreeSurferSurface(folder / "a", original);
-  std::ifstream input(folder / "a", std::ios::binary);
-  const std::string whole((std::istreambuf_iterator<char>(input)), {});
+  const std::string whole = withObliqueGeometry(folder / "a");
   std::ofstream(folder / "b", std::ios::binary) << whole << std::string("\0\0\0\3\0\0\0\0\0\0\0\4abc\0", 16)
                                                 << std::string("\0\0\0\x21\x7F\0\0\0\0\0\0\4", 12);
   EXPECT_EQ(readSurface(folder / "b").space, CoordinateSpace::TkRAS);
@@ -174,12 +183,7 @@ TEST(SurfaceFile, FollowsUnknownTagsAndKeepsGeometryWhenTheyLeadNowhere) {
 
 TEST(SurfaceFile, AFooterThatEndsAnywhereInItsGeometryPlacesNothing) {
   const TemporaryFolder folder;
-  SurfaceFile original = sphere();
-  original.geometry = obliqueGeometry();
-  original.space = CoordinateSpace::TkRAS;
-  writeFreeSurferSurface(folder / "a", original);
-  std::ifstream input(folder / "a", std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(input)), {});
+  std::string bytes = withObliqueGeometry(folder / "a");
   bytes.resize(bytes.rfind("cras"));
   bytes += "cras   = 1.5 -2 35.25\n";
   const std::size_t text = bytes.rfind("valid = 1");
