@@ -128,7 +128,8 @@ Points2 reviveCollapsedFaces(const DiskMesh& disk, const Points2& image, const T
   for (const int rings : {3, 6, 12}) {
     const Eigen::VectorXd logs = logRatios(signedFaceAreas(result, disk.mesh().faces()), target.faces());
     if (!(logs.minCoeff() <= std::log(collapsed))) return result;
-    const std::vector<char> held = heldAround(disk, logs.array() <= std::log(collapsed), rings);
+    const std::vector<char> held = heldAround(
+        disk.mesh().faces(), disk.topology().onBoundary(), logs.array() <= std::log(collapsed), rings);
     result = balancedParts(disk.topology(), planar(disk.mesh().faces(), held, {}, backend), result, target, 0,
                            partsBetween(held, disk.mesh().faces()), {});
   }

@@ -6,15 +6,13 @@
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
-#include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/HolonomyFit.h"
-#include "Core/authalic/SeamedBarycentricSystem.h"
+#include "Core/authalic/SeamedPatches.h"
 #include "Core/geometry/Areas.h"
 
 namespace authalic {
 namespace {
 
-constexpr double kWithinSight = 0.3;  // mean |ln r| of the stars, from where face steps converge
 constexpr double kLeastWeight = 1e-2, kMostWeight = 1e2;
 
 // ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as
@@ -32,22 +30,13 @@ HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
 
 Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
                   SolverBackend backend, FlatConeSurface& flat, const Execution& execution) {
-  SeamedBarycentricSystem system(areas, backend);
   const HalfEdgeWeights weights = positiveWeights(surface);
   Points2 start = flat.places;
-  if (!(areas.areas(start).minCoeff() > 0)) {
-    system.factorize(weights);
-    system.solve(weights, flat.motions.corners, start);
-  }
-  fitHolonomy(surface.topology(), areas, target, weights, backend, flat, start, execution.part(0, 0.5));
-  const BarycentricImage map{
-      weights,
-      [&](const HalfEdgeWeights& now, Points2& image) {
-        system.factorize(now);
-        system.solve(now, flat.motions.corners, image);
-      },
-      [&areas](const Points2& image) { return areas.areas(image); }};
-  return balancedStart(surface.topology(), map, start, target, kWithinSight, execution.part(0.5, 1));
+  if (removeFolds(surface, areas, target, backend, start, execution.part(0, 0.2)) > 0) return start;
+  openNarrowFaces(surface, areas, target, backend, start, execution.part(0.2, 0.4));
+  fitHolonomy(surface.topology(), areas, target, weights, backend, flat, start, execution.part(0.4, 0.7));
+  openNarrowFaces(surface, areas, target, backend, start, execution.part(0.7, 1));
+  return start;
 }
 
 // To an image of area 1.

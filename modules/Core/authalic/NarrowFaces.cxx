@@ -45,54 +45,24 @@ class PatchAreas final : public AreaFunctional {
   }
 };
 
-// The faces of one part of the disk, numbered by themselves.
-struct Patch {
-  std::vector<int> faces, vertices;  // of the disk
-  Faces corners;
-  std::vector<char> freedom;
-};
+}  // namespace
 
-std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces) {
-  std::vector<Patch> patches(static_cast<std::size_t>(parts.count));
-  for (std::size_t f = 0; f < parts.ofFace.size(); ++f) {
-    if (parts.ofFace[f] >= 0) patches[static_cast<std::size_t>(parts.ofFace[f])].faces.push_back(static_cast<int>(f));
-  }
-  std::vector<int> number(parts.ofVertex.size(), -1);
-  for (Patch& patch : patches) {
-    patch.corners = faces(patch.faces, Eigen::all);
-    for (int& v : patch.corners.reshaped<Eigen::RowMajor>()) {
-      int& local = number[static_cast<std::size_t>(v)];
-      if (local < 0) {
-        local = static_cast<int>(patch.vertices.size());
-        patch.vertices.push_back(v);
-        patch.freedom.push_back(parts.ofVertex[static_cast<std::size_t>(v)] >= 0 ? 2 : 0);
-      }
-      v = local;
-    }
-    for (const int v : patch.vertices) number[static_cast<std::size_t>(v)] = -1;
-  }
-  return patches;
-}
-
-void openPatch(const DiskMesh& disk, const Patch& patch, const TargetMeasure& target, SolverBackend backend,
-               Points2& image) {
-  const PatchAreas areas(patch.corners, patch.freedom);
-  Eigen::VectorXd shares = target.faces()(patch.faces);
+void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
+               Coordinates& points) {
   shares /= shares.sum();
-  const Points3 surface = disk.mesh().points()(patch.vertices, Eigen::all);
   AnalysedSystems systems;
-  FaceMatch match(areas, shares, cotangentWeights(surface, patch.corners), backend, Shapes::Free, systems);
+  FaceMatch match(areas, shares, cotangentWeights(surface, areas.faces()), backend, Shapes::Free, systems);
   match.restart(kGoal);
-  Coordinates points = image(patch.vertices, Eigen::all);
   const auto narrowest = [&] {
     const Eigen::VectorXd a = areas.areas(points);
     return (a.array() / (a.sum() * shares.array())).minCoeff();
   };
   for (int k = 0; k < kMostSteps && !match.stalled() && narrowest() < kOpen; ++k) match.advance(points);
-  image(patch.vertices, Eigen::all) = points;
 }
 
-}  // namespace
+Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target) {
+  return areas.array() < kNarrow * areas.sum() * target.faces().array();
+}
 
 UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                              SolverBackend backend, const Execution& execution) {
@@ -103,10 +73,15 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
   result.image = reviveCollapsedFaces(disk, result.image, target, backend, kCollapsed);
   for (const int rings : {4, 8, 16}) {
     const Eigen::VectorXd areas = signedFaceAreas(result.image, faces);
-    const auto narrow = areas.array() < kNarrow * areas.sum() * target.faces().array();
+    const auto narrow = narrowFaces(areas, target);
     if (!narrow.any()) break;
-    const Parts parts = partsBetween(heldAround(disk, narrow, rings), faces);
-    for (const Patch& patch : patchesOf(parts, faces)) openPatch(disk, patch, target, backend, result.image);
+    const Parts parts = partsBetween(heldAround(faces, disk.topology().onBoundary(), narrow, rings), faces);
+    for (const Patch& patch : patchesOf(parts, faces)) {
+      Coordinates points = result.image(patch.vertices, Eigen::all);
+      openPatch(PatchAreas(patch.corners, patch.freedom), target.faces()(patch.faces),
+                disk.mesh().points()(patch.vertices, Eigen::all), backend, points);
+      result.image(patch.vertices, Eigen::all) = points;
+    }
   }
   return result;
 }

@@ -2,6 +2,7 @@
 /// Opens the few faces of a start that are folded or much too small, patch by patch. Private to authalic/.
 #pragma once
 
+#include "Core/authalic/AreaFunctional.h"
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/initial/Unfold.h"
 #include "Core/mesh/DiskMesh.h"
@@ -24,5 +25,17 @@ namespace authalic {
 /// @return the image and its folds; they are left only where unfold() leaves some
 [[nodiscard]] UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend, const Execution& execution);
+
+/// Face steps on areas alone in one patch, at most 60, until each of its faces has a third of its share in it.
+/// @param areas    of the patch, its rim held
+/// @param shares   targets of its faces, of any sum
+/// @param surface  of its vertices
+/// @param points   its image, no face folded
+void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
+               Coordinates& points);
+
+/// m flags: faces with less than a tenth of their share.
+[[nodiscard]] Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas,
+                                                                const TargetMeasure& target);
 
 }  // namespace authalic

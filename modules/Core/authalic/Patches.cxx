@@ -9,11 +9,11 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-std::vector<char> heldAround(const DiskMesh& disk, const Eigen::Array<bool, Eigen::Dynamic, 1>& faces, int rings) {
-  const Faces& corners = disk.mesh().faces();
-  std::vector<char> marked(at(disk.mesh().vertexCount()), 0);
+std::vector<char> heldAround(const Faces& corners, const std::vector<char>& heldAnyway,
+                             const Eigen::Array<bool, Eigen::Dynamic, 1>& chosen, int rings) {
+  std::vector<char> marked(heldAnyway.size(), 0);
   for (Eigen::Index f = 0; f < corners.rows(); ++f) {
-    for (int k = 0; k < 3 && faces[f]; ++k) marked[at(corners(f, k))] = 1;
+    for (int k = 0; k < 3 && chosen[f]; ++k) marked[at(corners(f, k))] = 1;
   }
   for (int ring = 0; ring < rings; ++ring) {
     const std::vector<char> before = marked;
@@ -22,7 +22,7 @@ std::vector<char> heldAround(const DiskMesh& disk, const Eigen::Array<bool, Eige
       for (int k = 0; k < 3; ++k) marked[at(corners(f, k))] = 1;
     }
   }
-  for (std::size_t v = 0; v < marked.size(); ++v) marked[v] = !marked[v] || disk.topology().onBoundary()[v];
+  for (std::size_t v = 0; v < marked.size(); ++v) marked[v] = !marked[v] || heldAnyway[v];
   return marked;
 }
 
@@ -54,6 +54,28 @@ Parts partsBetween(const std::vector<char>& held, const Faces& faces) {
     if (freeCorner[f] >= 0) parts.ofFace[f] = parts.ofVertex[at(freeCorner[f])];
   }
   return parts;
+}
+
+std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces) {
+  std::vector<Patch> patches(static_cast<std::size_t>(parts.count));
+  for (std::size_t f = 0; f < parts.ofFace.size(); ++f) {
+    if (parts.ofFace[f] >= 0) patches[static_cast<std::size_t>(parts.ofFace[f])].faces.push_back(static_cast<int>(f));
+  }
+  std::vector<int> number(parts.ofVertex.size(), -1);
+  for (Patch& patch : patches) {
+    patch.corners = faces(patch.faces, Eigen::all);
+    for (int& v : patch.corners.reshaped<Eigen::RowMajor>()) {
+      int& local = number[static_cast<std::size_t>(v)];
+      if (local < 0) {
+        local = static_cast<int>(patch.vertices.size());
+        patch.vertices.push_back(v);
+        patch.freedom.push_back(parts.ofVertex[static_cast<std::size_t>(v)] >= 0 ? 2 : 0);
+      }
+      v = local;
+    }
+    for (const int v : patch.vertices) number[static_cast<std::size_t>(v)] = -1;
+  }
+  return patches;
 }
 
 }  // namespace authalic

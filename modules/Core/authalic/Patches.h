@@ -1,10 +1,10 @@
 /// @file
-/// Patches around some faces of a disk, whose inner vertices move while all others are held. Private to authalic/.
+/// Patches around some faces of a surface, whose inner vertices move while all others are held. Private to authalic/.
 #pragma once
 
 #include <vector>
 
-#include "Core/mesh/DiskMesh.h"
+#include "Core/base/Arrays.h"
 
 namespace authalic {
 
@@ -14,11 +14,20 @@ struct Parts {
   int count = 0;
 };
 
-/// n flags: all vertices farther than `rings` edges from the faces, and those of the boundary.
-[[nodiscard]] std::vector<char> heldAround(const DiskMesh& disk, const Eigen::Array<bool, Eigen::Dynamic, 1>& faces,
-                                           int rings);
+/// n flags: all vertices farther than `rings` edges from the chosen faces, and those that are held anyway.
+[[nodiscard]] std::vector<char> heldAround(const Faces& faces, const std::vector<char>& heldAnyway,
+                                           const Eigen::Array<bool, Eigen::Dynamic, 1>& chosen, int rings);
 
 /// Free vertices of one face belong to one part, and so does the face.
 [[nodiscard]] Parts partsBetween(const std::vector<char>& held, const Faces& faces);
+
+/// The faces of one part, numbered by themselves.
+struct Patch {
+  std::vector<int> faces, vertices;  ///< of the whole
+  Faces corners;                     ///< into `vertices`
+  std::vector<char> freedom;         ///< of `vertices`: 2, or 0 where held
+};
+
+[[nodiscard]] std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces);
 
 }  // namespace authalic

@@ -1,5 +1,7 @@
 #include "Core/authalic/SeamedAreas.h"
 
+#include <utility>
+
 #include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
@@ -18,7 +20,10 @@ double cross(Complex u, Complex v) { return (std::conj(u) * v).imag(); }
 }  // namespace
 
 SeamedAreas::SeamedAreas(const Faces& faces, const FlatConeSurface& flat)
-    : AreaFunctional(faces, freeButCones(flat)), flat_(flat) {}
+    : SeamedAreas(faces, freeButCones(flat), flat.motions.corners) {}
+
+SeamedAreas::SeamedAreas(const Faces& faces, std::vector<char> freedom, const std::vector<RigidMotion>& motions)
+    : AreaFunctional(faces, std::move(freedom)), motions_(motions) {}
 
 Eigen::VectorXd SeamedAreas::areas(const Coordinates& image) const {
   Eigen::VectorXd result(faces().rows());

@@ -14,6 +14,10 @@ class SeamedAreas final : public AreaFunctional {
  public:
   /// @param flat  kept by reference
   SeamedAreas(const Faces& faces, const FlatConeSurface& flat);
+  /// Of some faces: a patch needs no chart of its own.
+  /// @param motions  of their corners; kept by reference
+  /// @param freedom  2 or 0 (held)
+  SeamedAreas(const Faces& faces, std::vector<char> freedom, const std::vector<RigidMotion>& motions);
 
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
@@ -24,7 +28,7 @@ class SeamedAreas final : public AreaFunctional {
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
   [[nodiscard]] const RigidMotion& motion(int face, int k) const {
-    return flat_.motions.corners[static_cast<std::size_t>(3 * face + k)];
+    return motions_[static_cast<std::size_t>(3 * face + k)];
   }
   /// Where corner k of a face lies in the plane.
   [[nodiscard]] std::complex<double> corner(const Coordinates& image, int face, int k) const {
@@ -33,7 +37,7 @@ class SeamedAreas final : public AreaFunctional {
   }
 
  private:
-  const FlatConeSurface& flat_;
+  const std::vector<RigidMotion>& motions_;
 };
 
 }  // namespace authalic
