@@ -13,6 +13,7 @@
 namespace authalic {
 namespace {
 
+constexpr int kMostFits = 12;
 constexpr double kLeastWeight = 1e-2, kMostWeight = 1e2;
 
 // ½(cot α + cot β), but positive: near the conformal layout, so that edges beside cones do not bend around them, as
@@ -29,12 +30,15 @@ HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
 }
 
 Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
-                  SolverBackend backend, FlatConeSurface& flat, const Execution& execution) {
-  const HalfEdgeWeights weights = positiveWeights(surface);
+                  SolverBackend backend, const FlatConeSurface& flat, HolonomyFit& fit, const Execution& execution) {
   Points2 start = flat.places;
   if (removeFolds(surface, areas, target, backend, start, execution.part(0, 0.2)) > 0) return start;
   openNarrowFaces(surface, areas, target, backend, start, execution.part(0.2, 0.4));
-  fitHolonomy(surface.topology(), areas, target, weights, backend, flat, start, execution.part(0.4, 0.7));
+  Coordinates image = start;
+  for (int step = 0; step < kMostFits && !execution.cancelled() && fit.relax(image); ++step) {
+    execution.report(0.4 + 0.3 * step / kMostFits, "Fitting the flat surface");
+  }
+  start = image;
   openNarrowFaces(surface, areas, target, backend, start, execution.part(0.7, 1));
   return start;
 }
@@ -68,9 +72,11 @@ FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, cons
   FlatConeAuthalicMapResult result;
   result.flat = flatConeSurface(surface, options.solver, execution.part(0, 0.2));
   const SeamedAreas areas(surface.mesh().faces(), result.flat);
-  const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, execution.part(0.2, 0.4));
+  HolonomyFit fit(surface.topology(), areas, target, result.flat, positiveWeights(surface), options.solver);
+  const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, fit, execution.part(0.2, 0.4));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0.4, 1));
+  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0.4, 1),
+                                      Shapes::Kept, nullptr, &fit);
   result.flat.places = solved.image;
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
