@@ -3,6 +3,7 @@
 /// Private to authalic/.
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "Core/authalic/EarsOnCircle.h"
@@ -12,6 +13,13 @@ namespace authalic {
 
 /// n×d points of an image: d = 2 in the plane, 3 on the sphere.
 using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// How corners in the plane move with parameters of the domain: linear in them.
+struct CornerMoves {
+  using Table = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::vector<int> row;  ///< per corner 3 f + k, −1 for those that no parameter moves
+  Table moves;           ///< by each of the complex parameters
+};
 
 /// Areas a_t(x) of the faces of an image x whose vertices may move in 0, 1 or 2 directions each.
 ///
@@ -57,6 +65,9 @@ class AreaFunctional {
                                           double t) const = 0;
   /// Displacements that move many vertices at once, free like the unknowns: of circles in the plane. By default none.
   [[nodiscard]] virtual std::vector<Coordinates> jointMoves(const Coordinates& image) const;
+  /// Parameters of the domain, free like the unknowns, whose values are the last rows of images and displacements; by
+  /// default none.
+  [[nodiscard]] virtual const CornerMoves* parameters() const { return nullptr; }
   /// A displacement with every row made shorter to its part in [0, 1]; joint moves stay such.
   [[nodiscard]] virtual Coordinates slowed(const Coordinates& image, const Coordinates& displacement,
                                            const Eigen::VectorXd& part) const;

@@ -15,7 +15,6 @@ constexpr double kPinned = 0.1;         // a vertex step shorter than this leads
 constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
-constexpr int kStepsToRelax = 3;        // the domain, at first
 
 // Face steps end at this part of the goal, or at the second where they get slow.
 constexpr double kNear = 0.9, kNearEnough = 0.95;
@@ -32,9 +31,8 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
-             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes, AnalysedSystems& systems,
-             DomainRelaxation* domain)
-      : options_(options), execution_(execution), domain_(domain),
+             const AuthalicMapOptions& options, const Execution& execution, Shapes shapes, AnalysedSystems& systems)
+      : options_(options), execution_(execution),
         meanLogWanted_(std::clamp(shapes == Shapes::First ? kMeanLogWithShapesFirst : kMeanLog,
                                   0.5 * options.tolerance, options.tolerance)),
         faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes, systems),
@@ -57,7 +55,6 @@ class AreaSolver {
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
-    else if (domain_ != nullptr) domain_->restore();
     result_.faceResidual = faces_.residual(result_.image);
     result_.vertexResidual = vertices_.residual(result_.image);
     result_.iterations = static_cast<int>(result_.history.size());
@@ -96,20 +93,12 @@ class AreaSolver {
         faces_.relax();
       }
       if (slower(kSlowSteps, residuals.back() <= kNearEnough * goal ? kGettingSlow : kSlow)) break;
-      relaxDomain(image);
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");
     }
     result_.faceSeconds += now() - begun;
     return moved;
-  }
-
-  // Every few steps; less often where that was not worthwhile.
-  void relaxDomain(Coordinates& image) {
-    if (domain_ == nullptr || ++sinceRelaxed_ < patience_) return;
-    sinceRelaxed_ = 0;
-    patience_ = domain_->relax(image) ? kStepsToRelax : 2 * patience_;
   }
 
   // How far the faces are from what is wanted of them: 1 is just enough.
@@ -151,7 +140,6 @@ class AreaSolver {
   void keepIfBetter(const Coordinates& exact) {
     const double residual = faces_.residual(exact);
     if (result_.image.size() > 0 && residual >= result_.faceResidual) return;
-    if (domain_ != nullptr) domain_->keep();
     result_.image = exact;
     result_.faceResidual = residual;
     if (residual > options_.tolerance) return;
@@ -161,13 +149,11 @@ class AreaSolver {
 
   const AuthalicMapOptions& options_;
   const Execution& execution_;
-  DomainRelaxation* domain_;
   double meanLogWanted_;
   FaceMatch faces_;
   StarConstraint stars_;
   VertexMatch vertices_;
   AreaSolveResult result_;
-  int sinceRelaxed_ = 0, patience_ = kStepsToRelax;
   bool converged_ = false;  // `result_.image` is within both tolerances; small faces have one more round
 };
 
@@ -175,9 +161,9 @@ class AreaSolver {
 
 AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
                            Coordinates start, const AuthalicMapOptions& options, const Execution& execution,
-                           Shapes shapes, AnalysedSystems* systems, DomainRelaxation* domain) {
+                           Shapes shapes, AnalysedSystems* systems) {
   AnalysedSystems own;
-  return AreaSolver(areas, surface, target, options, execution, shapes, systems != nullptr ? *systems : own, domain)
+  return AreaSolver(areas, surface, target, options, execution, shapes, systems != nullptr ? *systems : own)
       .run(std::move(start));
 }
 

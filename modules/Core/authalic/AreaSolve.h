@@ -8,17 +8,6 @@
 
 namespace authalic {
 
-/// What a domain is free to choose besides the places of vertices: cones and translations of a flat surface.
-class DomainRelaxation {
- public:
-  virtual ~DomainRelaxation() = default;
-  /// Changes the domain, and the image with it, so that areas come nearer to their targets; no face is folded by that.
-  /// @return whether it was worthwhile
-  virtual bool relax(Coordinates& image) = 0;
-  virtual void keep() = 0;     ///< remembers the domain as it is
-  virtual void restore() = 0;  ///< the one last kept; without one, no change
-};
-
 struct AreaSolveResult : AuthalicSolution {
   Coordinates image;
 };
@@ -28,15 +17,13 @@ struct AreaSolveResult : AuthalicSolution {
 /// @param shapes   what face steps look at, see FaceMatch; with First the mean |ln r| of the faces is below 0.8
 ///                 tolerances, else below half of one, as far as the mesh allows it
 /// @param systems  kept from one solve to the next, when given
-/// @param domain   relaxed between face steps, when given; afterwards the one that the image belongs to
 /// Status: Converged when both residuals are within their tolerances; Stalled when no step was possible any more;
 /// NotConverged at the limit of iterations or rounds; Cancelled. The image is the one with the smallest vertex
 /// residual within its tolerance, else the last.
 [[nodiscard]] AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface,
                                          const TargetMeasure& target, Coordinates start,
                                          const AuthalicMapOptions& options, const Execution& execution,
-                                         Shapes shapes = Shapes::Kept, AnalysedSystems* systems = nullptr,
-                                         DomainRelaxation* domain = nullptr);
+                                         Shapes shapes = Shapes::Kept, AnalysedSystems* systems = nullptr);
 
 /// Of two solves, the first not converged, gives the one that converged, or whose faces are nearer to their targets,
 /// the iterations, the history and the seconds of both. @return whether that is the second

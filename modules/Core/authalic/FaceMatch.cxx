@@ -144,6 +144,7 @@ double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l)
 }
 
 Coordinates FaceMatch::step(const Coordinates& image) {
+  if (const CornerMoves* parameters = areas_.parameters()) return stepWithParameters(image, *parameters);
   const std::vector<Coordinates> moves = areas_.jointMoves(image);
   if (!moves.empty()) return jointStep(image, moves);
   return areas_.displacement(frames_, system_->solver().solve(right_));

@@ -76,6 +76,7 @@ class FaceMatch {
   [[nodiscard]] double edgeStiffness(Eigen::Index face, double damping, int k, int l) const;
   // Steps along joint moves of the domain, see AreaFunctional::jointMoves(); in FaceMatchJointly.cxx.
   [[nodiscard]] Coordinates jointStep(const Coordinates& image, const std::vector<Coordinates>& moves) const;
+  [[nodiscard]] Coordinates stepWithParameters(const Coordinates& image, const CornerMoves& parameters) const;
   [[nodiscard]] Coordinates answer(const AreaFunctional::Gradients& slopes, const Coordinates& displacement) const;
   [[nodiscard]] Coordinates descent(const AreaFunctional::Gradients& slopes, const Coordinates& image) const;
   [[nodiscard]] Eigen::VectorXd onUnknowns(const Coordinates& forces) const;

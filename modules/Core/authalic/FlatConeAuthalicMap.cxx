@@ -43,6 +43,22 @@ Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const 
   return start;
 }
 
+// Parameters of the holonomy in the last rows, see SeamedAreas.
+Coordinates withParameters(const Points2& places, const FlatConeSurface& flat) {
+  Coordinates image(places.rows() + flat.translations.size(), 2);
+  image.topRows(places.rows()) = places;
+  image.bottomRows(flat.translations.size()) << flat.translations.real(), flat.translations.imag();
+  return image;
+}
+
+void takeImage(const SurfaceTopology& topology, const Coordinates& image, FlatConeSurface& flat) {
+  const auto rows = image.bottomRows(flat.translations.size());
+  flat.translations.real() = rows.col(0);
+  flat.translations.imag() = rows.col(1);
+  flat.places = image.topRows(flat.places.rows());
+  setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.translations));
+}
+
 // To an image of area 1.
 void normalise(const SurfaceTopology& topology, const SeamedAreas& areas, FlatConeSurface& flat) {
   const double scale = 1 / std::sqrt(areas.areas(flat.places).sum());
@@ -75,9 +91,9 @@ FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, cons
   HolonomyFit fit(surface.topology(), areas, target, result.flat, positiveWeights(surface), options.solver);
   const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, fit, execution.part(0.2, 0.4));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0.4, 1),
-                                      Shapes::Kept, nullptr, &fit);
-  result.flat.places = solved.image;
+  const SeamedAreas free(surface.mesh().faces(), result.flat, cornerMoves(surface.topology(), result.flat));
+  AreaSolveResult solved = solveAreas(free, surface.mesh(), target, withParameters(start, result.flat), options, execution.part(0.4, 1));
+  takeImage(surface.topology(), solved.image, result.flat);
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;
   normalise(surface.topology(), areas, result.flat);

@@ -57,12 +57,6 @@ bool HolonomyFit::relax(Coordinates& image) {
   return false;
 }
 
-void HolonomyFit::keep() { kept_ = flat_.translations; }
-
-void HolonomyFit::restore() {
-  if (kept_.size() > 0) setTranslations(kept_);
-}
-
 void HolonomyFit::setTranslations(const Eigen::VectorXcd& translations) {
   flat_.translations = translations;
   setMotions(flat_, flat_.holonomy.motions(topology_, flat_.cut, translations));

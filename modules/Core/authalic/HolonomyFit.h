@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "Core/authalic/AreaSolve.h"
+
 #include "Core/authalic/SeamedBarycentricSystem.h"
 #include "Core/authalic/TargetMeasure.h"
 
@@ -20,7 +20,7 @@ namespace authalic {
 /// q; it is shortened until that falls and no face folds. Afterwards the flat surface has the new motions and the image
 /// belongs to them, with the cones in their new places. An image with a folded face is left as it is.
 /// One sparse factorisation and a solve per parameter; O(m q²) per step, q = 2 (number of cones + 2g − 1).
-class HolonomyFit final : public DomainRelaxation {
+class HolonomyFit {
  public:
   /// @param areas    of `flat`; kept by reference, like the other surfaces and the targets
   /// @param weights  per half-edge, the same both ways, > 0
@@ -29,9 +29,7 @@ class HolonomyFit final : public DomainRelaxation {
               FlatConeSurface& flat, const HalfEdgeWeights& weights, SolverBackend backend);
 
   /// @return whether the step took a hundredth off the distortion
-  bool relax(Coordinates& image) override;
-  void keep() override;
-  void restore() override;
+  bool relax(Coordinates& image);
 
  private:
   // How corners move with one parameter.
@@ -53,7 +51,6 @@ class HolonomyFit final : public DomainRelaxation {
   const Eigen::VectorXd& target_;
   FlatConeSurface& flat_;
   std::vector<Response> responses_;
-  Eigen::VectorXcd kept_;
 };
 
 }  // namespace authalic

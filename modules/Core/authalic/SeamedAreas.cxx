@@ -1,5 +1,6 @@
 #include "Core/authalic/SeamedAreas.h"
 
+#include <cmath>
 #include <utility>
 
 #include "Core/numerics/FlipFreeStep.h"
@@ -24,6 +25,22 @@ SeamedAreas::SeamedAreas(const Faces& faces, const FlatConeSurface& flat)
 
 SeamedAreas::SeamedAreas(const Faces& faces, std::vector<char> freedom, const std::vector<RigidMotion>& motions)
     : AreaFunctional(faces, std::move(freedom)), motions_(motions) {}
+
+SeamedAreas::SeamedAreas(const Faces& faces, const FlatConeSurface& flat, CornerMoves parameters)
+    : AreaFunctional(faces, freeButCones(flat)), motions_(flat.motions.corners), moves_(std::move(parameters)) {}
+
+// Of a corner with the rows of its vertex and of the parameters, either places or displacements.
+Complex SeamedAreas::change(const Coordinates& rows, int face, int k) const {
+  const int v = faces()(face, k);
+  Complex result = 0;
+  if (freedom(v) > 0) result = motion(face, k).turn * Complex(rows(v, 0), rows(v, 1));
+  if (moves_.row.empty()) return result;
+  const int row = moves_.row[static_cast<std::size_t>(3 * face + k)];
+  for (Eigen::Index j = 0; row >= 0 && j < moves_.moves.cols(); ++j) {
+    result += moves_.moves(row, j) * Complex(rows(vertexCount() + j, 0), rows(vertexCount() + j, 1));
+  }
+  return result;
+}
 
 Eigen::VectorXd SeamedAreas::areas(const Coordinates& image) const {
   Eigen::VectorXd result(faces().rows());
@@ -76,17 +93,44 @@ AreaFunctional::Directions SeamedAreas::directions(const Frames&, int face) cons
 }
 
 Coordinates SeamedAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
-  return image + t * displacement;
+  const Coordinates result = image + t * displacement;
+  if (displacement.bottomRows(displacement.rows() - vertexCount()).isZero(0)) return result;
+  return result * std::sqrt(areas(image).sum() / areas(result).sum());
 }
 
 double SeamedAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
-  const auto move = [&](int k) {
-    const int v = faces()(face, k);
-    return motion(face, k).turn * Complex(displacement(v, 0), displacement(v, 1));
-  };
   const Complex a = corner(image, face, 0), e = corner(image, face, 1) - a, g = corner(image, face, 2) - a;
-  const Complex d = move(1) - move(0), h = move(2) - move(0);
+  const Complex still = change(displacement, face, 0), d = change(displacement, face, 1) - still,
+                h = change(displacement, face, 2) - still;
   return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+CornerMoves cornerMoves(const SurfaceTopology& topology, const FlatConeSurface& flat) {
+  const Eigen::Index count = flat.translations.size();
+  const std::size_t corners = flat.motions.corners.size();
+  std::vector<int> coneOf(static_cast<std::size_t>(flat.places.rows()), -1);
+  for (std::size_t i = 0; i < flat.cones.size(); ++i) {
+    coneOf[static_cast<std::size_t>(flat.cones[i])] = static_cast<int>(i);
+  }
+  std::vector<ConeMotions> units;
+  for (Eigen::Index j = 0; j < count; ++j) {
+    units.push_back(flat.holonomy.motions(topology, flat.cut, Eigen::VectorXcd::Unit(count, j)));
+  }
+  CornerMoves result{std::vector<int>(corners, -1), {}};
+  Eigen::VectorXcd moves(count);
+  std::vector<Complex> table;
+  for (std::size_t c = 0; c < corners; ++c) {
+    const int cone = coneOf[static_cast<std::size_t>(topology.tail(static_cast<int>(c)))];
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const ConeMotions& unit = units[static_cast<std::size_t>(j)];
+      moves[j] = cone < 0 ? unit.corners[c].shift : unit.corners[c](unit.places[static_cast<std::size_t>(cone)]);
+    }
+    if (moves.isZero(0)) continue;
+    result.row[c] = static_cast<int>(table.size()) / static_cast<int>(count);
+    table.insert(table.end(), moves.begin(), moves.end());
+  }
+  result.moves = Eigen::Map<CornerMoves::Table>(table.data(), static_cast<Eigen::Index>(table.size()) / count, count);
+  return result;
 }
 
 }  // namespace authalic

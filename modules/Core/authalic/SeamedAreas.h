@@ -9,11 +9,14 @@ namespace authalic {
 
 /// Every vertex moves anywhere in its chart but the cones, which stay where the surface has them. A corner lies where
 /// its rigid motion takes the place of its vertex, so that the sides of a seam share their unknowns and every star is
-/// whole.
+/// whole. The translations and the places of the cones may be free as well: then an image has the parameters of the
+/// holonomy as its last rows, its area stays as it is, and the rows of cones are without meaning.
 class SeamedAreas final : public AreaFunctional {
  public:
   /// @param flat  kept by reference
   SeamedAreas(const Faces& faces, const FlatConeSurface& flat);
+  /// With free parameters.
+  SeamedAreas(const Faces& faces, const FlatConeSurface& flat, CornerMoves parameters);
   /// Of some faces: a patch needs no chart of its own.
   /// @param motions  of their corners; kept by reference
   /// @param freedom  2 or 0 (held)
@@ -27,17 +30,26 @@ class SeamedAreas final : public AreaFunctional {
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
+  [[nodiscard]] const CornerMoves* parameters() const override { return moves_.row.empty() ? nullptr : &moves_; }
+
   [[nodiscard]] const RigidMotion& motion(int face, int k) const {
     return motions_[static_cast<std::size_t>(3 * face + k)];
   }
   /// Where corner k of a face lies in the plane.
   [[nodiscard]] std::complex<double> corner(const Coordinates& image, int face, int k) const {
     const int v = faces()(face, k);
-    return motion(face, k)({image(v, 0), image(v, 1)});
+    if (moves_.row.empty()) return motion(face, k)({image(v, 0), image(v, 1)});
+    return change(image, face, k);
   }
 
  private:
+  [[nodiscard]] std::complex<double> change(const Coordinates& rows, int face, int k) const;
+
   const std::vector<RigidMotion>& motions_;
+  CornerMoves moves_;
 };
+
+/// How the parameters of the holonomy move the corners of a flat surface.
+[[nodiscard]] CornerMoves cornerMoves(const SurfaceTopology& topology, const FlatConeSurface& flat);
 
 }  // namespace authalic
