@@ -59,6 +59,27 @@ void takeImage(const SurfaceTopology& topology, const Coordinates& image, FlatCo
   setMotions(flat, flat.holonomy.motions(topology, flat.cut, flat.translations));
 }
 
+// Half of the iterations keep shapes; where they do not suffice, areas alone have the rest.
+AreaSolveResult solve(const SeamedAreas& areas, const HighGenusMesh& surface, const TargetMeasure& target,
+                      const Coordinates& start, AuthalicMapOptions options, const Execution& execution) {
+  AnalysedSystems systems;
+  const int all = options.maxIterations;
+  options.maxIterations = (all + 1) / 2;
+  AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0, 0.6),
+                                      Shapes::Kept, &systems);
+  options.maxIterations = all - solved.iterations;
+  if (solved.status == Status::Converged || solved.status == Status::Cancelled || options.maxIterations == 0 ||
+      !(areas.areas(start).minCoeff() > 0)) {
+    return solved;
+  }
+  AreaSolveResult second = solveAreas(areas, surface.mesh(), target, solved.image, options, execution.part(0.6, 1),
+                                      Shapes::Free, &systems);
+  const bool cancelled = second.status == Status::Cancelled;
+  AreaSolveResult& better = giveBetterTheEffortOfBoth(solved, second) ? second : solved;
+  if (cancelled) better.status = Status::Cancelled;
+  return std::move(better);
+}
+
 // To an image of area 1.
 void normalise(const SurfaceTopology& topology, const SeamedAreas& areas, FlatConeSurface& flat) {
   const double scale = 1 / std::sqrt(areas.areas(flat.places).sum());
@@ -92,7 +113,8 @@ FlatConeAuthalicMapResult flatConeAuthalicMap(const HighGenusMesh& surface, cons
   const Points2 start = makeStart(surface, areas, target, options.solver, result.flat, fit, execution.part(0.2, 0.4));
   const double startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   const SeamedAreas free(surface.mesh().faces(), result.flat, cornerMoves(surface.topology(), result.flat));
-  AreaSolveResult solved = solveAreas(free, surface.mesh(), target, withParameters(start, result.flat), options, execution.part(0.4, 1));
+  AreaSolveResult solved =
+      solve(free, surface, target, withParameters(start, result.flat), options, execution.part(0.4, 1));
   takeImage(surface.topology(), solved.image, result.flat);
   static_cast<AuthalicSolution&>(result) = std::move(solved);
   result.startSeconds = startSeconds;

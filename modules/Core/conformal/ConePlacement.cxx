@@ -18,6 +18,7 @@ constexpr double kQuarter = 0.5 * M_PI;
 constexpr double kBlur = 1e-3;         // of the area: a cone is a logarithmic peak of u, which must not call for others
 constexpr double kEven = 0.25;          // standard deviation of u that needs no more cones
 constexpr double kWorthAPair = 0.95;   // factor of it
+constexpr int kAhead = 4;              // pairs
 constexpr int kMostPairs = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -118,14 +119,19 @@ class Placement {
 std::vector<Cone> placeCones(const HighGenusMesh& surface, SolverBackend backend) {
   Placement placement(surface, backend);
   for (int k = 0; k < -4 * surface.topology().eulerCharacteristic(); ++k) placement.add(-1);
-  for (int pair = 0; pair < kMostPairs && placement.unevenness() > kEven; ++pair) {
-    const double before = placement.unevenness();
+  // A finger asks for several pairs before it is even: some ahead are tried before the last worthwhile one is it.
+  double wanted = placement.unevenness();
+  std::size_t worthwhile = placement.cones.size();
+  for (int pair = 0, ahead = 0; pair < kMostPairs && ahead < kAhead && placement.unevenness() > kEven; ++pair, ++ahead) {
     placement.add(1);
     placement.add(-1);
-    if (placement.unevenness() <= kWorthAPair * before) continue;
-    placement.cones.resize(placement.cones.size() - 2);
-    break;
+    wanted *= kWorthAPair;
+    if (placement.unevenness() > wanted) continue;
+    wanted = placement.unevenness();
+    worthwhile = placement.cones.size();
+    ahead = -1;
   }
+  placement.cones.resize(worthwhile);
   return placement.cones;
 }
 
