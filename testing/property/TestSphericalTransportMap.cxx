@@ -72,7 +72,7 @@ TEST_F(SphericalTransportMap, RefusesWhatDoesNotBelongTogether) {
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares.head(5)), GeometryError);
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, {}, Points3::Zero(3, 3)), GeometryError);
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, {}, 2 * sphere.mesh().points()), GeometryError);
-  SemiDiscreteTransportOptions options;
+  SphericalTransportMapOptions options;
   options.tolerance = -1;
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, options), InvalidArgument);
 }
