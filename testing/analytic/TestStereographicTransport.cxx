@@ -212,7 +212,7 @@ TEST_F(StereographicTransport, TakesMoreThanHalfOfTheMassInOneSpot) {  // which 
 
 TEST_F(StereographicTransport, ConvergesFromAPoleBesideASite) {
   const Points3 sites = randomOnSphere(500, 11);
-  for (const double distance : {1e-2, 1e-4}) {
+  for (const double distance : {1e-2, 1e-4, 3e-6}) {
     const Eigen::Vector3d site = sites.row(17).transpose();
     StereographicPowerDiagram diagram(sites, site + distance * site.unitOrthogonal());
     EXPECT_EQ(stereographicTransport(diagram, equalMasses(500)).status, Status::Converged) << distance;

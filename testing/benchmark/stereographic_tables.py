@@ -19,8 +19,8 @@ MESHES = {"max_planck": "meshes/closed_g0/decimated-max.obj", "david": "meshes/c
           "gargoyle": "meshes/closed_g0/gargoyle.obj", "bunny": "meshes/closed_g0/bunny.obj",
           "sphere_brain": "meshes/closed_g0/sphere_brain.off"}
 STEREOGRAPHIC = ("--formulation", "stereographic")
-WAYS = {"sphere": (), "largest face": STEREOGRAPHIC, "1 0 0": (*STEREOGRAPHIC, "--pole", "1", "0", "0"),
-        "0 1 0": (*STEREOGRAPHIC, "--pole", "0", "1", "0"), "0 0 1": (*STEREOGRAPHIC, "--pole", "0", "0", "1")}
+WAYS = {"on the sphere": (), "largest face": STEREOGRAPHIC,
+        **{pole: ("--pole", *pole.split(), *STEREOGRAPHIC) for pole in ("1 0 0", "0 1 0", "0 0 1")}}
 
 
 def main():

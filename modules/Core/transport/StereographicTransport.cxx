@@ -11,7 +11,9 @@ constexpr double kSphere = 4 * 3.14159265358979323846;
 class StereographicCells final : public TransportCells {
  public:
   StereographicCells(StereographicPowerDiagram& diagram, const Execution& execution)
-      : diagram_(diagram), execution_(execution) {}
+      : diagram_(diagram), execution_(execution) {
+    (void)diagram.planarSites().rowwise().squaredNorm().minCoeff(&innermost_);
+  }
   bool compute(const Heights& heights) override { return diagram_.compute(heights, execution_); }
   const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
@@ -19,10 +21,13 @@ class StereographicCells final : public TransportCells {
       entries.emplace_back(edge.second, edge.first, edge.rate);
     }
   }
+  // Heights grow with |z|², a mean of them would leave no digits to those of the small cells around the origin.
+  double constantOf(const Eigen::VectorXd& step) const override { return step[innermost_]; }
 
  private:
   StereographicPowerDiagram& diagram_;
   const Execution& execution_;
+  Eigen::Index innermost_ = 0;
 };
 
 }  // namespace
