@@ -212,7 +212,7 @@ TEST_F(StereographicTransport, TakesMoreThanHalfOfTheMassInOneSpot) {  // which 
 
 TEST_F(StereographicTransport, ConvergesFromAPoleBesideASite) {
   const Points3 sites = randomOnSphere(500, 11);
-  for (const double distance : {1e-2, 1e-4, 3e-6}) {
+  for (const double distance : {1e-2, 1e-4, 2e-5}) {
     const Eigen::Vector3d site = sites.row(17).transpose();
     StereographicPowerDiagram diagram(sites, site + distance * site.unitOrthogonal());
     EXPECT_EQ(stereographicTransport(diagram, equalMasses(500)).status, Status::Converged) << distance;
@@ -234,6 +234,8 @@ TEST_F(StereographicTransport, RefusesPolesAndSitesThatHaveNoProjection) {
   EXPECT_THROW(StereographicPowerDiagram(sites, Eigen::Vector3d::Zero()), InvalidArgument);
   EXPECT_THROW(StereographicPowerDiagram(sites, Eigen::Vector3d(0, NAN, 1)), InvalidArgument);
   EXPECT_THROW(StereographicPowerDiagram(sites, sites.row(5).transpose()), GeometryError);
+  const Eigen::Vector3d site = sites.row(5).transpose();
+  EXPECT_THROW(StereographicPowerDiagram(sites, site + 9e-6 * site.unitOrthogonal()), GeometryError);
   EXPECT_THROW(StereographicPowerDiagram(sites.topRows(2), kPole), GeometryError);
   EXPECT_THROW(StereographicPowerDiagram(2 * sites, kPole), GeometryError);
   StereographicPowerDiagram diagram(sites, kPole);

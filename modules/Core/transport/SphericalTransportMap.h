@@ -27,7 +27,7 @@ struct SphericalTransportMapResult : TransportSolution {
   Points3 sites;                 ///< n×3: the initial map
   Eigen::VectorXd masses;        ///< n: ν, the solid angle that each cell shall have; sum 4π
   Eigen::VectorXd cellAreas;     ///< n
-  Eigen::VectorXd potential;     ///< n: u at the image, u(x) = max_i ln⟨x, y_i⟩ + h_i; Stereographic: ⟨τ(x), z_i⟩ + h_i
+  Eigen::VectorXd potential;     ///< n: u at the image, u(x) = max_i ln⟨x, y_i⟩ + h_i, or ⟨τ(x), z_i⟩ + h_i
   SphericalCellPolygons cells;   ///< outline of every cell
   double transportCost = 0;      ///< Σ ∫_{W_i} −ln cos d(x, y_i), by quadrature; Stereographic: none is finite, 0
   Eigen::Vector3d pole = Eigen::Vector3d::Zero();  ///< Stereographic: unit vector of the projection

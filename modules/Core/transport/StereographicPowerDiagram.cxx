@@ -20,7 +20,7 @@ using Real = long double;
 using Vector2l = Eigen::Matrix<Real, 2, 1>;
 using Vector3l = Eigen::Matrix<Real, 3, 1>;
 
-constexpr double kNearPole = 1e-6;
+constexpr double kNearPole = 1e-5;
 constexpr Real kTurns = 0.25;  // of a circle whose arcs are drawn: four times as coarse as lengths
 constexpr std::size_t kBlock = 1024;
 

@@ -26,22 +26,22 @@ struct StereographicPowerCells {
   std::vector<StereographicPowerEdge> edges;
 };
 
-/// Power cells W_i = { x ∈ R² : ⟨x, z_i⟩ + h_i ≥ ⟨x, z_j⟩ + h_j for all j } of the stereographic images z of sites on the
-/// unit sphere, τ(x, y, z) = (x, y) / (1 − z) with the pole at (0, 0, 1), measured by 4 dx dy / (1 + |x|²)², the area of
-/// the sphere @cite nadeem2017. Sides are straight in the plane, circles through the pole on the sphere; the cells of the
-/// sites on the hull are unbounded and meet at the pole.
+/// Power cells W_i = { x ∈ R² : ⟨x, z_i⟩ + h_i ≥ ⟨x, z_j⟩ + h_j for all j } of the stereographic images z of sites on
+/// the unit sphere, τ(x, y, z) = (x, y) / (1 − z) with the pole at (0, 0, 1), measured by 4 dx dy / (1 + |x|²)², the
+/// area of the sphere @cite nadeem2017. Sides are straight in the plane, circles through the pole on the sphere; the
+/// cells of the sites on the hull are unbounded and meet at the pole.
 ///
-/// Everything is in closed form. A side on the line at distance d from the origin, from s₁ to s₂ along it, is an arc of
-/// φ = 2 atan(s/k)|, k = √(1 + d²), of a circle with axis c at the height d/k and the radius 1/k. By Green's theorem
-/// w = Σ φ d/k, and 2 θ for the angle θ that the cell has at infinity; by Stokes's ∫ x = ½ ∮ x × dx
-/// = ½ Σ (d/k) c × (b − a) + φ c / k²; and ∫ 4 ds / (1 + |x|²)² = (φ + sin φ₂ − sin φ₁) / k³.
+/// Everything is in closed form. A side on the line at distance d from the origin, from s₁ to s₂ along it, is an arc
+/// of φ = φ₂ − φ₁, φ₁ = 2 atan(s₁/k), k = √(1 + d²), of a circle with axis c at the height d/k and the radius 1/k.
+/// By Green's theorem w = Σ φ d/k, and 2 θ for the angle θ that the cell has at infinity; by Stokes's, up to its sign,
+/// ∫ x = ½ Σ (d/k) c × (b − a) + φ c / k²; and ∫ 4 ds / (1 + |x|²)² = (φ + sin φ₂ − sin φ₁) / k³.
 /// Both cells of a side get the same bits of it: areas sum to 4π up to rounding.
 /// Complexity: as PowerDiagram.
 class StereographicPowerDiagram {
  public:
   /// @param sites  n×3 unit vectors, n ≥ 3, no two in one place
   /// @param pole   of the projection, of any length above 0
-  /// @throws GeometryError when there are fewer than 3, one is not on the sphere or within 1e-6 of the pole, or two
+  /// @throws GeometryError when there are fewer than 3, one is not on the sphere or within 1e-5 of the pole, or two
   ///         coincide (they are named)
   /// @throws InvalidArgument when the pole is zero or not finite, or this build has no CGAL
   StereographicPowerDiagram(Points3 sites, const Eigen::Vector3d& pole);
@@ -61,7 +61,8 @@ class StereographicPowerDiagram {
   [[nodiscard]] Eigen::VectorXd planesAt(const Points3& points) const;
 
   /// The outlines of the last heights.
-  /// @param arcStep  arcs get a corner at least every so many radians of the sphere, and four times as many of their circle, > 0
+  /// @param arcStep  arcs get a corner at least every so many radians of the sphere, and every four times as many of
+  ///                 their circle, > 0
   [[nodiscard]] SphericalCellPolygons polygons(double arcStep = 0.05) const;
 
   [[nodiscard]] const Points3& sites() const noexcept { return sites_; }

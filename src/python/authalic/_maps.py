@@ -142,8 +142,7 @@ def flatten(points: Any,
                 every vertex; "authalic-sphere", "authalic-torus": the same for closed surfaces of genus 0 and 1,
                 "authalic-flat-cones" for genus 2 or more, "authalic-holes" for boundary loops: onto the disk without
                 round holes (free_radii, hold_centres), or domain="annulus", or, tubes cut open, "periodic-rectangle";
-                "transport", "transport-sphere", "transport-holes": optimal transport; finish="authalic" makes it exact
-                (formulation="stereographic", pole=(x, y, z): that on the sphere in a plane, to compare);
+                "transport", "transport-sphere", "transport-holes": optimal transport; finish="authalic" makes it exact;
                 "lie-flow", "lie-flow-sphere", "lie-flow-holes", "lie-advection", "lie-advection-sphere",
                 "stretch-energy": methods of the literature for the same; "stretch": one for little stretch;
                 "balanced", "balanced-sphere": the same between angles and areas, see `balance` (0.5);
