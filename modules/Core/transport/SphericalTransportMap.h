@@ -49,7 +49,8 @@ struct SphericalTransportMapResult : TransportSolution {
 /// Guarantees: cells have their areas to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do not
 /// fold (flippedFaces) — sphericalAuthalicMap started from this image removes both. Complexity: as sphericalTransport.
 /// @throws InvalidArgument from options; GeometryError when initial or shares do not belong to the surface, or two
-///         vertices have one image, or they lie in a hemisphere (Spherical), or one at the pole; SolverError when a system cannot be factorised
+///         vertices have one image, or they lie in a hemisphere (Spherical), or one lies at the pole (Stereographic);
+///         SolverError when a system cannot be factorised
 [[nodiscard]] SphericalTransportMapResult sphericalTransportMap(const SphereMesh& sphere, const Eigen::VectorXd& shares,
                                                                 const SphericalTransportMapOptions& options = {},
                                                                 const Points3& initial = {},
