@@ -60,7 +60,7 @@ class TransportFamily : public MapFamily {
     own(verb->add_option("--pole", pole_,
                          "--formulation stereographic: pole of the projection, a direction in the space of the "
                          "initial map (default: the middle of its largest face)."))
-        ->type_name("X Y Z")->expected(3);
+        ->type_name("X Y Z")->expected(3)->allow_extra_args(false);
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method, const SharedMapOptions& shared,

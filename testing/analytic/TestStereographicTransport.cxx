@@ -99,6 +99,30 @@ TEST_F(StereographicTransport, CutsThePlaneIntoEqualSectorsOfSitesOnACircle) {
   }
 }
 
+TEST_F(StereographicTransport, GivesTheCornersOfACubeFromTheMiddleOfAFaceTheirClosedForm) {
+  Points3 cube(8, 3);
+  for (int k = 0; k < 8; ++k) cube.row(k) << (k & 1 ? 1 : -1), (k & 2 ? 1 : -1), (k & 4 ? 1 : -1);
+  StereographicPowerDiagram diagram(cube / std::sqrt(3.0), Eigen::Vector3d::UnitZ());
+  const TransportSolution solution = stereographicTransport(diagram, equalMasses(8));
+  ASSERT_EQ(solution.status, Status::Converged);
+  // The four lower corners share a square at the distance d with half the sphere: 16 t atan t = 2π, t = d / √(1 + d²).
+  double low = 0, high = 1;
+  for (int step = 0; step < 100; ++step) {
+    const double t = (low + high) / 2;
+    (16 * t * std::atan(t) < 2 * M_PI ? low : high) = t;
+  }
+  const Points2& z = diagram.planarSites();
+  for (int k = 0; k < 4; ++k) {
+    const double gap = (z.row(k + 4) - z.row(k)).norm();
+    const double distance = static_cast<double>(solution.heights[k] - solution.heights[k + 4]) / gap;
+    EXPECT_NEAR(distance, low / std::sqrt(1 - low * low), 1e-9);
+    const Eigen::RowVector2d below = diagram.cells().centroids.row(k).head(2),
+                             above = diagram.cells().centroids.row(k + 4).head(2);
+    EXPECT_NEAR(std::abs(below[0]), std::abs(below[1]), 1e-9);
+    EXPECT_GT(below.dot(above) / below.norm() / above.norm(), 1 - 1e-12);  // on one meridian
+  }
+}
+
 TEST_F(StereographicTransport, CutsHalfThePlaneOffAlongALine) {
   // Two sites, and a third far away whose height leaves it next to nothing: the line of the two is at the distance d.
   Points3 sites = ringAndMiddle(3, 0.5).topRows(3);

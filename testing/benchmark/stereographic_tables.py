@@ -20,7 +20,7 @@ MESHES = {"max_planck": "meshes/closed_g0/decimated-max.obj", "david": "meshes/c
           "sphere_brain": "meshes/closed_g0/sphere_brain.off"}
 STEREOGRAPHIC = ("--formulation", "stereographic")
 WAYS = {"on the sphere": (), "largest face": STEREOGRAPHIC,
-        **{pole: ("--pole", *pole.split(), *STEREOGRAPHIC) for pole in ("1 0 0", "0 1 0", "0 0 1")}}
+        **{pole: (*STEREOGRAPHIC, "--pole", *pole.split()) for pole in ("1 0 0", "0 1 0", "0 0 1")}}
 
 
 def main():

@@ -288,8 +288,8 @@ class Results(CommandLine):
 
     def test_transport_in_a_stereographic_plane_tells_its_pole(self):
         ball, disk = (pathlib.Path(ARGUMENTS.fixtures) / name for name in ("folded_sphere.off", "bumpy_disk.off"))
-        words = ("map", "transport", ball, "-o", "s.vtp", "--domain", "sphere", "--report", "s.json")
-        self.succeeds(*words, "--formulation", "stereographic", "--pole", 0, 0, -4)
+        words = ("map", "transport", "-o", "s.vtp", "--domain", "sphere", "--report", "s.json", ball)
+        self.succeeds(*words[:-1], "--formulation", "stereographic", "--pole", 0, 0, -4, ball)
         report = json.loads((self.here / "s.json").read_text())
         self.assertEqual((report["status"], report["pole"]), ("converged", [0, 0, -1]))
         self.assertEqual(report["options"]["formulation"], "stereographic")
