@@ -124,7 +124,7 @@ TEST_F(StereographicTransport, GivesTheCornersOfACubeFromTheMiddleOfAFaceTheirCl
 }
 
 TEST_F(StereographicTransport, CutsHalfThePlaneOffAlongALine) {
-  // Two sites, and a third far away whose height leaves it next to nothing: the line of the two is at the distance d.
+  // Two sites, and a third whose height leaves it next to nothing: the line between the two is at the distance d.
   Points3 sites = ringAndMiddle(3, 0.5).topRows(3);
   sites.row(1) << 0.8, 0, -0.6;   // z = (1/2, 0)
   sites.row(2) << -0.8, 0, -0.6;  // z = (−1/2, 0)
