@@ -34,12 +34,12 @@ MapReport describeTransport(const TransportSolution& result, const TransportCost
   }
   report.residuals.push_back(result.residual);
   report.more.set("transport_residual", result.residual);
-  report.more.set("transport_cost", costs.transport);
+  if (costs.transport) report.more.set("transport_cost", *costs.transport);
   report.more.set("displacement_cost", costs.displacement);
   report.more.set("empty_cells", costs.emptyCells);
   report.more.set("smallest_cell", smallest);
   addField(map, "TransportResidual", result.residual);
-  addField(map, "TransportCost", costs.transport);
+  if (costs.transport) addField(map, "TransportCost", *costs.transport);
   addField(map, "DisplacementCost", costs.displacement);
   addField(map, "EmptyCells", costs.emptyCells);
   return report;

@@ -2,6 +2,8 @@
 /// What the maps by optimal transport report. Private to FiltersParameterization/.
 #pragma once
 
+#include <optional>
+
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/transport/SemiDiscreteTransport.h"
 #include "Reports/MapReport.h"
@@ -12,7 +14,7 @@ namespace authalic {
 
 /// What the cells cost.
 struct TransportCosts {
-  double transport = 0;     ///< Σ ∫ over cells
+  std::optional<double> transport;  ///< Σ ∫ over cells, where it is finite
   double displacement = 0;  ///< Σ ν_i |x_i − y_i|² of the centroids
   int emptyCells = 0;
 };

@@ -1,9 +1,13 @@
 #include "vtkSphericalTransportMap.h"
 
+#include <array>
 #include <optional>
 
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -21,10 +25,24 @@
 
 vtkStandardNewMacro(vtkSphericalTransportMap);
 
+namespace {
+
+void describePole(const Eigen::Vector3d& pole, authalic::MapReport& report, vtkPolyData* map) {
+  vtkNew<vtkDoubleArray> field;
+  field->SetName("Pole");
+  field->SetNumberOfComponents(3);
+  field->InsertNextTuple(pole.data());
+  map->GetFieldData()->AddArray(field);
+  report.more.set("pole", authalic::Json::arrayOf(std::array{pole.x(), pole.y(), pole.z()}));
+}
+
+}  // namespace
+
 vtkSphericalTransportMap::vtkSphericalTransportMap() {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  const authalic::SemiDiscreteTransportOptions defaults;
+  const authalic::SphericalTransportMapOptions defaults;
+  this->Formulation = static_cast<int>(defaults.formulation);
   this->Tolerance = defaults.tolerance;
   this->MaximumIterations = defaults.maxIterations;
 }
@@ -40,7 +58,9 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* given = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  authalic::SemiDiscreteTransportOptions options;
+  authalic::SphericalTransportMapOptions options;
+  options.formulation = static_cast<authalic::SphereFormulation>(this->Formulation);
+  options.pole = Eigen::Vector3d(this->Pole);
   options.tolerance = this->Tolerance;
   options.maxIterations = this->MaximumIterations;
   options.validate();
@@ -68,8 +88,9 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   const authalic::SphericalDistortion distortion =
       authalic::fillMap(input, output, sphere.mesh(), image, target.shares());
   const double displacement = authalic::displacementCost(result.masses, result.sites, result.image);
-  authalic::MapReport report =
-      authalic::describeTransport(result, {result.transportCost, displacement, result.emptyCells}, output);
+  authalic::TransportCosts costs{result.transportCost, displacement, result.emptyCells};
+  if (this->Formulation == STEREOGRAPHIC) costs.transport.reset();
+  authalic::MapReport report = authalic::describeTransport(result, costs, output);
   report.seconds = {{"start", result.startSeconds}, {"transport", result.transportSeconds}};
   if (finished) {
     const double cost = authalic::displacementCost(result.masses, result.sites, image);
@@ -80,6 +101,8 @@ void vtkSphericalTransportMap::Compute(vtkInformationVector** inputs, vtkInforma
   report.options.set("domain", "sphere");
   report.options.set("measure", this->MeasureArrayName);
   report.options.set("initial", given ? "given" : "conformal");
+  report.options.set("formulation", this->Formulation == STEREOGRAPHIC ? "stereographic" : "spherical");
+  if (this->Formulation == STEREOGRAPHIC) describePole(result.pole, report, output);
   report.options.set("tolerance", this->Tolerance);
   report.options.set("max_iterations", this->MaximumIterations);
   report.options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
@@ -97,6 +120,8 @@ void vtkSphericalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
+  os << indent << "Formulation: " << this->Formulation << "\n";
+  os << indent << "Pole: " << this->Pole[0] << " " << this->Pole[1] << " " << this->Pole[2] << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
 }

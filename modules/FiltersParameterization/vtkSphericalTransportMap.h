@@ -16,15 +16,16 @@
  * |---|---|---|---|---|
  * | 0 | point | Site | 3 double | y_i: the initial map |
  * | 0 | point | CellArea | 1 double | solid angle of the cell |
- * | 0 | point | Potential | 1 double | u at the image, u(x) = max over i of ln⟨x, y_i⟩ + h_i |
+ * | 0 | point | Potential | 1 double | u at the image, u(x) = max over i of ln⟨x, y_i⟩ + h_i; STEREOGRAPHIC: ⟨x, z_i⟩ + h_i in the plane |
  * | 0 | field | Method | 1 string | transport; balanced with a balance |
  * | 0 | field | Balance | 1 double | as set; without BalanceArrayName |
  * | 0 | field | TransportResidual | 1 double | max of the absolute difference of cell area and target / mean target |
- * | 0 | field | TransportCost | 1 double | Σ ∫ over cells of −ln cos d to the site |
+ * | 0 | field | TransportCost | 1 double | Σ ∫ over cells of −ln cos d to the site; not with STEREOGRAPHIC, whose cost is infinite |
  * | 0 | field | DisplacementCost | 1 double | Σ ν times squared great-circle distance of image and site, before the finish |
  * | 0 | field | FinishedCost | 1 double | the same after it, when there is one |
  * | 0 | field | FlippedBeforeFinish | 1 int | folded faces before it, when there is one |
  * | 0 | field | EmptyCells | 1 int | 0 |
+ * | 0 | field | Pole | 3 double | STEREOGRAPHIC: of the projection, a unit vector |
  * | 1 | cell | SiteIds | 1 id | vertex of the cell |
  * | 1 | cell | Area | 1 double | exact |
  *
@@ -53,8 +54,31 @@ public:
     AUTHALIC = 1
   };
 
+  enum FormulationType
+  {
+    SPHERICAL = 0,
+    STEREOGRAPHIC = 1
+  };
+
   ///@{
-  /** Of max |cell area − target| / mean target, > 0. Default: authalic::SemiDiscreteTransportOptions, as below. */
+  /** SPHERICAL: on the sphere itself. STEREOGRAPHIC: in the plane of a projection. Default SPHERICAL. */
+  vtkSetClampMacro(Formulation, int, SPHERICAL, STEREOGRAPHIC);
+  vtkGetMacro(Formulation, int);
+  void SetFormulationToSpherical() { this->SetFormulation(SPHERICAL); }
+  void SetFormulationToStereographic() { this->SetFormulation(STEREOGRAPHIC); }
+  ///@}
+
+  ///@{
+  /**
+   * Pole of the projection of STEREOGRAPHIC, of any length, in the space of the initial map; 0 0 0: the middle of the
+   * largest face of that map. Default 0 0 0.
+   */
+  vtkSetVector3Macro(Pole, double);
+  vtkGetVector3Macro(Pole, double);
+  ///@}
+
+  ///@{
+  /** Of max |cell area − target| / mean target, > 0. Default: authalic::SphericalTransportMapOptions, as below. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
@@ -102,6 +126,8 @@ protected:
   double Tolerance;
   int MaximumIterations;
   int Finish = NO_FINISH;
+  int Formulation;
+  double Pole[3] = {0.0, 0.0, 0.0};
   double Balance = 1.0;
   std::string BalanceArrayName;
 

@@ -11,6 +11,7 @@ namespace {
 
 const std::vector<std::string> initials = {"harmonic", "riemann"};
 const std::vector<std::string> finishes = {"none", "authalic"};
+const std::vector<std::string> formulations = {"spherical", "stereographic"};
 
 constexpr double kHalf = 0.5;  // the balance of "balanced" when none is asked for
 
@@ -51,14 +52,26 @@ class TransportFamily : public MapFamily {
                          "--domain circle-domain: part of the disk that all holes get together, in [0, 1), as "
                          "--hole-areas or else the conformal map divides it; 0 = as large as their areas are."))
         ->type_name("X")->default_str(shown(vtkNew<vtkPolyAnnulusTransportMap>()->GetHoleShare()));
+    own(verb->add_option("--formulation", formulation_,
+                         "--domain sphere: transport on the sphere (spherical), or in the plane of a projection "
+                         "(stereographic), where the map depends on the pole."))
+        ->type_name(oneOf(formulations))
+        ->default_str(formulations[static_cast<std::size_t>(vtkNew<vtkSphericalTransportMap>()->GetFormulation())]);
+    own(verb->add_option("--pole", pole_,
+                         "--formulation stereographic: pole of the projection, a direction in the space of the "
+                         "initial map (default: the middle of its largest face)."))
+        ->type_name("X Y Z")->expected(3)->allow_extra_args(false);
   }
 
   vtkSmartPointer<vtkSurfaceMapAlgorithm> filter(const std::string& method, const SharedMapOptions& shared,
                                                  const Session& session) const override {
     if (!cells_.empty()) requireArrayFormat("--cells", cells_);
     const bool balanced = method == "balanced";
+    if (shared.domain != "sphere" && (formulation_ || !pole_.empty())) {
+      throw Failure(UsageProblem, "--formulation and --pole need --domain sphere.");
+    }
     if (shared.domain == "sphere" && shared.holeAreas.empty() && !holeShare_) {
-      return configured(vtkSmartPointer<vtkSphericalTransportMap>::New(), balanced, shared, session);
+      return configured(spherical(), balanced, shared, session);
     }
     if (shared.domain == "circle-domain") return holed(balanced, shared);
     if (!shared.holeAreas.empty() || holeShare_) {
@@ -85,17 +98,32 @@ class TransportFamily : public MapFamily {
     if (session.quiet) return;
     const auto number = [map](const char* field) { return numberField(map->GetOutput(), field); };
     const auto text = [&](const char* field) { return shown(number(field).value_or(0)); };
+    const std::string cost = number("TransportCost") ? "Transport cost " + text("TransportCost") + "; " : "";
     if (number("FinishedCost")) {
-      sayNote("Transport cost " + text("TransportCost") + "; vertices moved for " + text("DisplacementCost") +
+      sayNote(cost + (cost.empty() ? "Vertices" : "vertices") + " moved for " + text("DisplacementCost") +
               " before the finish, with " + text("FlippedBeforeFinish") + " folded faces, and for " +
               text("FinishedCost") + " after it.");
     } else if (map->GetFlippedFaces() > 0) {
-      sayNote("Transport cost " + text("TransportCost") + "; " + text("FlippedFaces") +
+      sayNote(cost + text("FlippedFaces") +
               " faces are folded, --finish authalic unfolds them.");
     }
   }
 
  private:
+  vtkSmartPointer<vtkSphericalTransportMap> spherical() const {
+    const auto map = vtkSmartPointer<vtkSphericalTransportMap>::New();
+    if (formulation_) map->SetFormulation(choice("--formulation", *formulation_, formulations));
+    if (pole_.empty()) return map;
+    if (map->GetFormulation() != vtkSphericalTransportMap::STEREOGRAPHIC) {
+      throw Failure(UsageProblem, "--pole needs --formulation stereographic.");
+    }
+    if (pole_[0] == 0 && pole_[1] == 0 && pole_[2] == 0) {
+      throw Failure(UsageProblem, "--pole 0 0 0 is no direction; leave it out for the middle of the largest face.");
+    }
+    map->SetPole(pole_.data());
+    return map;
+  }
+
   vtkSmartPointer<vtkSurfaceMapAlgorithm> holed(bool balanced, const SharedMapOptions& shared) const {
     if (balanced || shared.balance) {
       throw Failure(UsageProblem, "--domain circle-domain has no balance; take method transport without it.");
@@ -139,6 +167,8 @@ class TransportFamily : public MapFamily {
   vtkNew<vtkOptimalTransportMap> defaults_;
   std::string cells_;
   std::optional<double> holeShare_;
+  std::optional<std::string> formulation_;
+  std::vector<double> pole_;
 };
 
 }  // namespace

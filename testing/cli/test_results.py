@@ -286,6 +286,21 @@ class Results(CommandLine):
         self.assertIn("is not for --domain sphere", self.fails(2, "map", "transport", ball, "-o", "n.vtp", "--domain",
                                                                "sphere", "--initial", "riemann"))
 
+    def test_transport_in_a_stereographic_plane_tells_its_pole(self):
+        ball, disk = (pathlib.Path(ARGUMENTS.fixtures) / name for name in ("folded_sphere.off", "bumpy_disk.off"))
+        words = ("map", "transport", "-o", "s.vtp", "--domain", "sphere", "--report", "s.json", ball)
+        self.succeeds(*words[:-1], "--formulation", "stereographic", "--pole", 0, 0, -4, ball)
+        report = json.loads((self.here / "s.json").read_text())
+        self.assertEqual((report["status"], report["pole"]), ("converged", [0, 0, -1]))
+        self.assertEqual(report["options"]["formulation"], "stereographic")
+        self.assertNotIn("transport_cost", report)
+        self.assertIn("needs --formulation", self.fails(2, *words, "--pole", 0, 0, 1))
+        self.assertIn("is no direction", self.fails(2, *words, "--formulation", "stereographic", "--pole", 0, 0, 0))
+        self.assertIn("finite pole", self.fails(2, *words, "--formulation", "stereographic", "--pole", 0, "nan", 1))
+        self.assertIn("must be", self.fails(2, *words, "--formulation", "mercator"))
+        self.assertIn("need --domain sphere", self.fails(2, "map", "transport", disk, "-o", "d.vtp", "--formulation",
+                                                         "stereographic"))
+
     def test_transport_fills_holes_with_masses_of_their_own(self):
         tube = pathlib.Path(ARGUMENTS.fixtures) / "bent_tube.off"
         words = ("map", "transport", tube, "-o", "h.vtp", "--domain", "circle-domain")

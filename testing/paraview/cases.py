@@ -41,6 +41,7 @@ CASES = [
     ("transportedball", "SphericalTransportMap", [("Input", "ball", 0)], {}),
     ("finishedball", "SphericalTransportMap", [("Input", "ball", 0), ("InitialMap", "sphere", 0)],
      {"Finish": 1, "Tolerance": 1e-8, "MaximumIterations": 30}),
+    ("projectedball", "SphericalTransportMap", [("Input", "ball", 0)], {"Formulation": 1, "Pole": (0.0, 0.6, 0.8)}),
     ("balancedball", "SphericalTransportMap", [("Input", "ball", 0)], {"Balance": 0.5}),
     ("ballcurve", "BalanceCurve", [("Input", "ball", 0)], {"Balance": [(0.25,), (0.75,)]}),
     ("axes", "SphericalConformalMap", [("Input", "ball", 0)], {"InitialMethod": 2, "Rotation": 1, "TimeStep": 0.2}),

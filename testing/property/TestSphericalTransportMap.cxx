@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/base/Error.h"
@@ -66,13 +68,68 @@ TEST_F(SphericalTransportMap, IsFinishedByTheAuthalicMap) {
             measureSphericalDistortion(sphere.mesh(), map.image).summary.areaDistortion);
 }
 
+TEST_F(SphericalTransportMap, InAStereographicPlaneGivesEveryCellItsShareAndDependsOnThePole) {
+  const SphereMesh sphere(wavySphere(4));
+  const Eigen::VectorXd shares = TargetMeasure(sphere.mesh()).vertices();
+  SphericalTransportMapOptions options;
+  options.formulation = SphereFormulation::Stereographic;
+  const SphericalTransportMapResult map = sphericalTransportMap(sphere, shares, options);
+  EXPECT_EQ(map.status, Status::Converged);
+  EXPECT_LE((map.cellAreas - map.masses).cwiseAbs().maxCoeff(), 1e-9 * 4 * M_PI / sphere.mesh().vertexCount());
+  EXPECT_NEAR(map.cellAreas.sum(), 4 * M_PI, 1e-12);
+  EXPECT_LT((map.image.rowwise().norm().array() - 1).abs().maxCoeff(), 1e-14);
+  EXPECT_LT((map.pole - defaultPole(map.sites, sphere.mesh().faces())).norm(), 1e-15);
+  options.pole = -map.pole;
+  const SphericalTransportMapResult other = sphericalTransportMap(sphere, shares, options, map.sites);
+  EXPECT_EQ(other.status, Status::Converged);
+  EXPECT_GT((other.image - map.image).rowwise().norm().maxCoeff(), 0.1);
+}
+
+TEST_F(SphericalTransportMap, InAStereographicPlaneTurnsWithTheSphereAndItsPole) {
+  const SphereMesh sphere(wavySphere(3));
+  const Eigen::VectorXd shares = TargetMeasure(sphere.mesh()).vertices();
+  SphericalTransportMapOptions options;
+  options.formulation = SphereFormulation::Stereographic;
+  options.pole = Eigen::Vector3d(0.2, 0.3, -2);
+  const SphericalTransportMapResult map = sphericalTransportMap(sphere, shares, options);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 2) / 3).matrix();
+  options.pole = turn * options.pole;
+  const Points3 turned = map.sites * turn.transpose();
+  const SphericalTransportMapResult other = sphericalTransportMap(sphere, shares, options, turned);
+  EXPECT_LT((other.image - map.image * turn.transpose()).cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST_F(SphericalTransportMap, InAStereographicPlaneIsFinishedByTheAuthalicMap) {
+  const SphereMesh sphere(wavySphere(4));
+  const TargetMeasure target(sphere.mesh());
+  SphericalTransportMapOptions options;
+  options.formulation = SphereFormulation::Stereographic;
+  const SphericalTransportMapResult map = sphericalTransportMap(sphere, target.vertices(), options);
+  const SphericalAuthalicMapResult finished = sphericalAuthalicMap(sphere, target, {}, map.image);
+  EXPECT_EQ(finished.status, Status::Converged);
+  EXPECT_EQ(finished.flippedFaces, 0);
+}
+
+TEST_F(SphericalTransportMap, RefusesAPoleAtAVertexOrWithoutAProjection) {
+  const SphereMesh sphere(sphereMesh(2));
+  const Eigen::VectorXd shares = TargetMeasure(sphere.mesh()).vertices();
+  SphericalTransportMapOptions options;
+  options.pole = Eigen::Vector3d(0, 0, 1);
+  EXPECT_THROW((void)sphericalTransportMap(sphere, shares, options), InvalidArgument);
+  options.formulation = SphereFormulation::Stereographic;
+  options.pole = sphere.mesh().points().row(7).transpose();
+  EXPECT_THROW((void)sphericalTransportMap(sphere, shares, options, sphere.mesh().points()), GeometryError);
+  options.pole = Eigen::Vector3d(0, NAN, 1);
+  EXPECT_THROW((void)sphericalTransportMap(sphere, shares, options), InvalidArgument);
+}
+
 TEST_F(SphericalTransportMap, RefusesWhatDoesNotBelongTogether) {
   const SphereMesh sphere(sphereMesh(2));
   const Eigen::VectorXd shares = TargetMeasure(sphere.mesh()).vertices();
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares.head(5)), GeometryError);
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, {}, Points3::Zero(3, 3)), GeometryError);
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, {}, 2 * sphere.mesh().points()), GeometryError);
-  SemiDiscreteTransportOptions options;
+  SphericalTransportMapOptions options;
   options.tolerance = -1;
   EXPECT_THROW((void)sphericalTransportMap(sphere, shares, options), InvalidArgument);
 }

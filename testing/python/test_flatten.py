@@ -182,6 +182,22 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "free"):
             authalic.flatten(tube, method="authalic-holes", hole_areas=[150], free_radii=True)
 
+    def test_transport_in_a_stereographic_plane_depends_on_the_pole(self):
+        ball = authalic.read_surface(DATA / "folded_sphere.off")
+        words = {"method": "transport", "domain": "sphere", "formulation": "stereographic"}
+        one, other = (authalic.flatten(ball, pole=pole, **words) for pole in ((0, 0, 2), (0, 1, 0)))
+        self.assertEqual((one.status, other.status), ("converged", "converged"))
+        self.assertEqual((one.report["pole"], other.report["pole"]), ([0, 0, 1], [0, 1, 0]))
+        self.assertGreater(np.abs(one.image - other.image).max(), 1e-3)
+        self.assertNotIn("transport_cost", one.report)
+        for pole in ((0, np.nan, 1), (0, 1), "north"):
+            with self.assertRaises(authalic.InvalidArgument):
+                authalic.flatten(ball, pole=pole, **words)
+        with self.assertRaisesRegex(authalic.InvalidArgument, "stereographic"):
+            authalic.flatten(ball, method="transport", domain="sphere", pole=(0, 0, 1))
+        with self.assertRaisesRegex(authalic.InvalidArgument, "formulation must be one of"):
+            authalic.flatten(ball, method="transport", domain="sphere", formulation="mercator")
+
     def test_transport_fills_holes_and_the_finish_makes_them_round(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
         bare = authalic.flatten(tube, method="transport-holes", hole_share=0.25)

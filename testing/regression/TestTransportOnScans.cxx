@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <limits>
 
 #include "Core/authalic/TargetMeasure.h"
+#include "Core/conformal/SphericalConformalMap.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "Core/transport/SphericalTransportMap.h"
 #include "support/OffFile.h"
@@ -60,6 +63,26 @@ TEST_P(SphericalTransportOnScansSlow, GivesEveryCellItsShareInFewSteps) {
   EXPECT_EQ(map.emptyCells, 0);
   EXPECT_NEAR(map.cellAreas.sum(), 4 * M_PI, 1e-11);
   expectMonotone(map);
+}
+
+TEST_P(SphericalTransportOnScansSlow, GivesEveryCellItsShareInAStereographicPlaneFromAnyPole) {
+  if (!PowerDiagram::available()) GTEST_SKIP() << "CGAL was not built in";
+  const std::string path = sharedData(std::string("meshes/closed_g0/") + GetParam() + ".off");
+  AUTHALIC_NEEDS(path);
+  const SphereMesh sphere(readOff(path));
+  const Points3 sites = sphericalConformalMap(sphere).image;
+  const Eigen::Vector3d vertex = sites.row(sites.rows() / 2).transpose();
+  SphericalTransportMapOptions options;
+  options.formulation = SphereFormulation::Stereographic;
+  for (const Eigen::Vector3d& pole : {Eigen::Vector3d(Eigen::Vector3d::Zero()), Eigen::Vector3d(0, 0, 1),
+                                      Eigen::Vector3d(vertex + 2e-5 * vertex.unitOrthogonal())}) {
+    options.pole = pole;
+    const auto map = sphericalTransportMap(sphere, TargetMeasure(sphere.mesh()).vertices(), options, sites);
+    EXPECT_EQ(map.status, Status::Converged) << map.residual;
+    EXPECT_LE(map.iterations, 25);
+    EXPECT_NEAR(map.cellAreas.sum(), 4 * M_PI, 1e-12);
+    for (const TransportIteration& step : map.history) EXPECT_GT(step.smallestCell, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sphere, SphericalTransportOnScansSlow, ::testing::Values("sphere_brain", "david"),

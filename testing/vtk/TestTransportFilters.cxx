@@ -173,6 +173,53 @@ TEST_F(TransportFilters, MapClosedSurfacesToTheSphereAsCoreDoes) {
   EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::SURFACE);
 }
 
+TEST_F(TransportFilters, MapClosedSurfacesInAStereographicPlaneAsCoreDoes) {
+  const SphereMesh sphere(wavySphere(3));
+  SphericalTransportMapOptions options;
+  options.formulation = SphereFormulation::Stereographic;
+  options.pole = Eigen::Vector3d(0.1, -2, 0.3);
+  const auto core = sphericalTransportMap(sphere, TargetMeasure(sphere.mesh()).vertices(), options);
+  vtkNew<vtkSphericalTransportMap> filter;
+  filter->SetInputData(0, polyData(sphere.mesh()));
+  filter->SetFormulationToStereographic();
+  filter->SetPole(0.1, -2, 0.3);
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPoints(filter->GetOutput()), core.image);
+  EXPECT_TRUE(std::isnan(field(filter->GetOutput(), "TransportCost")));  // it is infinite: there is no such field
+  EXPECT_EQ(filter->GetReport().find("transport_cost"), std::string::npos);
+  EXPECT_NE(filter->GetReport().find("\"formulation\": \"stereographic\""), std::string::npos);
+  EXPECT_GT(field(filter->GetOutput(), "DisplacementCost"), 0);
+  vtkDataArray* pole = filter->GetOutput()->GetFieldData()->GetArray("Pole");
+  ASSERT_NE(pole, nullptr);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(pole->GetComponent(0, k), core.pole[k]);
+  vtkPolyData* cells = filter->GetOutput(1);
+  ASSERT_EQ(cells->GetNumberOfPolys(), sphere.mesh().vertexCount());
+  for (int i = 0; i < sphere.mesh().vertexCount(); ++i) {
+    EXPECT_EQ(cells->GetCellData()->GetArray("Area")->GetComponent(i, 0), core.cellAreas[i]);
+  }
+  filter->SetFinishToAuthalic();
+  filter->SetBalance(0.5);
+  filter->Update();
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(filter->GetFlippedFaces(), 0);
+}
+
+TEST_F(TransportFilters, RefusePolesWithoutAProjection) {
+  vtkNew<vtkSphericalTransportMap> filter;
+  filter->SetInputData(0, polyData(wavySphere(2)));
+  filter->SetPole(0, 0, 1);
+  const VtkWords words(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::ARGUMENT);
+  filter->SetFormulationToStereographic();
+  filter->SetPole(0, std::nan(""), 1);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorKind(), vtkSphericalTransportMap::ARGUMENT);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfPoints(), 0);
+}
+
 TEST_F(TransportFilters, BalanceAnglesAgainstAreas) {
   const auto check = [](auto map, const TriangleMesh& mesh) {
     double area = 1e300, angle = 0;

@@ -43,7 +43,9 @@ auto transport(const DiskMesh& disk, const TargetMeasure& target, const SemiDisc
 }
 auto transport(const SphereMesh& sphere, const TargetMeasure& target, const SemiDiscreteTransportOptions& options,
                const Points3& sites, const Heights& start, const Execution& execution) {
-  return sphericalTransportMap(sphere, target.vertices(), options, sites, execution, start);
+  SphericalTransportMapOptions round;
+  static_cast<SemiDiscreteTransportOptions&>(round) = options;
+  return sphericalTransportMap(sphere, target.vertices(), round, sites, execution, start);
 }
 
 auto finish(const DiskMesh& disk, const TargetMeasure& target, const AuthalicMapOptions& options, const Points2& start,

@@ -60,7 +60,7 @@ Eigen::VectorXd newtonStep(const TransportCells& cells, const Eigen::VectorXd& e
   SparseSolver solver(backend);
   solver.compute(newtonMatrix(cells, count, entries));
   step.head(count - 1) = solver.solve(-error.head(count - 1));
-  step.array() -= step.mean();
+  step.array() -= cells.constantOf(step);
   return step;
 }
 

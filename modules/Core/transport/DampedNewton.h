@@ -20,6 +20,8 @@ class TransportCells {
   [[nodiscard]] virtual const Eigen::VectorXd& areas() const = 0;
   /// Adds −∂w_i/∂h_j > 0 at (i, j), i > j, for every two cells with a common side.
   virtual void derivatives(std::vector<Eigen::Triplet<double>>& entries) const = 0;
+  /// The constant that is taken from all heights of a step, which moves no cell.
+  [[nodiscard]] virtual double constantOf(const Eigen::VectorXd& step) const { return step.mean(); }
 };
 
 /// See semiDiscreteTransport. `cells` are those of the returned heights afterwards.
