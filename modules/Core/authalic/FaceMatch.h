@@ -76,10 +76,17 @@ class FaceMatch {
   [[nodiscard]] double edgeStiffness(Eigen::Index face, double damping, int k, int l) const;
   // Steps along joint moves of the domain, see AreaFunctional::jointMoves(); in FaceMatchJointly.cxx.
   [[nodiscard]] Coordinates jointStep(const Coordinates& image, const std::vector<Coordinates>& moves) const;
-  [[nodiscard]] Coordinates stepWithParameters(const Coordinates& image, const CornerMoves& parameters) const;
   [[nodiscard]] Coordinates answer(const AreaFunctional::Gradients& slopes, const Coordinates& displacement) const;
   [[nodiscard]] Coordinates descent(const AreaFunctional::Gradients& slopes, const Coordinates& image) const;
   [[nodiscard]] Eigen::VectorXd onUnknowns(const Coordinates& forces) const;
+  // Steps along parameters of the domain, see AreaFunctional::parameters(); in FaceMatchWithParameters.cxx.
+  struct PlanarModel {
+    Eigen::Matrix<double, 6, 6> second;  // by the corners of one face
+    Eigen::Matrix<double, 6, 1> down;    // −∂Φ
+  };
+  [[nodiscard]] PlanarModel planarModel(const AreaFunctional::Corners& corners, Eigen::Index face,
+                                        double lacking) const;
+  [[nodiscard]] Coordinates stepWithParameters(const Coordinates& image, const CornerMoves& parameters) const;
   [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const;
   void stiffen(const Coordinates& image, const Coordinates& displacement);
   void adapt(double step);

@@ -1,6 +1,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <utility>
 
 #include "Core/authalic/FaceMatch.h"
 
@@ -10,12 +11,11 @@ namespace {
 constexpr double kRegularisation = 1e-10;  // of the diagonal: a translation of the whole is without effect
 constexpr Eigen::Index kAtOnce = 32;       // right-hand sides
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
-using Moves6 = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using Moves = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-// Of the corners of a face, by the real and the imaginary part of each parameter.
-bool movesOfFace(const CornerMoves& parameters, Eigen::Index face, Moves6& result) {
+// Of the corners of a face, by the real and the imaginary part of each parameter; whether any moves.
+bool movesOfFace(const CornerMoves& parameters, Eigen::Index face, Moves& result) {
   bool any = false;
   result.setZero();
   for (Eigen::Index k = 0; k < 3; ++k) {
@@ -39,64 +39,89 @@ Vector6 slopesOf(const AreaFunctional::Corners& corners) {
   return result;
 }
 
+// [H B; Bᵀ C] (x, y) = (f, g) by the Schur complement of H. Only few rows of B are not 0.
+class BorderedSystem {
+ public:
+  BorderedSystem(int unknownCount, Eigen::Index count)
+      : corner_(Eigen::MatrixXd::Zero(count, count)), right_(Eigen::VectorXd::Zero(count)),
+        rowOf_(static_cast<std::size_t>(unknownCount), -1) {}
+
+  // C and g.
+  void addCorner(const Moves& moves, const Moves& forces, const Vector6& down) {
+    corner_.noalias() += moves.transpose() * forces;
+    right_.noalias() += moves.transpose() * down;
+  }
+
+  void addSide(int unknown, const Eigen::RowVectorXd& values) {
+    int& row = rowOf_[static_cast<std::size_t>(unknown)];
+    if (row < 0) {
+      row = static_cast<int>(unknowns_.size());
+      unknowns_.push_back(unknown);
+      sides_.push_back(Eigen::RowVectorXd::Zero(right_.size()));
+    }
+    sides_[static_cast<std::size_t>(row)] += values;
+  }
+
+  // x and y.
+  [[nodiscard]] std::pair<Eigen::VectorXd, Eigen::VectorXd> solve(const SparseSolver& solver, Eigen::VectorXd f) {
+    Eigen::MatrixXd sides(static_cast<Eigen::Index>(unknowns_.size()), right_.size());
+    for (std::size_t i = 0; i < sides_.size(); ++i) sides.row(static_cast<Eigen::Index>(i)) = sides_[i];
+    right_.noalias() -= sides.transpose() * Eigen::VectorXd(solver.solve(f))(unknowns_);
+    for (Eigen::Index first = 0; first < right_.size(); first += kAtOnce) {
+      const Eigen::Index width = std::min(kAtOnce, right_.size() - first);
+      Eigen::MatrixXd some = Eigen::MatrixXd::Zero(f.size(), width);
+      some(unknowns_, Eigen::all) = sides.middleCols(first, width);
+      some = solver.solve(some);
+      corner_.middleCols(first, width).noalias() -= sides.transpose() * some(unknowns_, Eigen::all);
+    }
+    corner_.diagonal().array() += kRegularisation * corner_.diagonal().maxCoeff();
+    Eigen::VectorXd y = corner_.selfadjointView<Eigen::Lower>().ldlt().solve(right_);
+    f(unknowns_) -= sides * y;
+    return {solver.solve(f), std::move(y)};
+  }
+
+ private:
+  Eigen::MatrixXd corner_;
+  Eigen::VectorXd right_;
+  std::vector<int> rowOf_, unknowns_;
+  std::vector<Eigen::RowVectorXd> sides_;
+};
+
 }  // namespace
 
-// [H B; Bᵀ C] with two columns of B for every parameter, by the Schur complement of H. Only few rows of B are not 0.
+FaceMatch::PlanarModel FaceMatch::planarModel(const AreaFunctional::Corners& corners, Eigen::Index face,
+                                              double lacking) const {
+  const Vector6 slopes = slopesOf(corners);
+  PlanarModel model{weights_[face] * slopes * slopes.transpose(), weights_[face] * lacking * slopes};
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      const double stiffness = edgeStiffness(face, damping_ * stiffness_[face], k, l);
+      model.second.block<2, 2>(2 * k, 2 * l).diagonal().array() += stiffness;
+      model.down.segment<2>(2 * k) -= pull_ * shape_.stiffness(face, k, l) * corners.row(l).transpose();
+    }
+  }
+  return model;
+}
+
 Coordinates FaceMatch::stepWithParameters(const Coordinates& image, const CornerMoves& parameters) const {
-  const Faces& faces = areas_.faces();
   const Eigen::VectorXd a = areas_.areas(image);
   const double total = a.sum();
   const Eigen::Index count = 2 * parameters.moves.cols();
-  Eigen::MatrixXd corner = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
-  std::vector<int> rowOf(static_cast<std::size_t>(areas_.unknownCount()), -1), unknowns;
-  std::vector<Eigen::RowVectorXd> border;
-  Moves6 moves(6, count), forces(6, count);
-  for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+  BorderedSystem system(areas_.unknownCount(), count);
+  Moves moves(6, count), forces(6, count);
+  for (int f = 0; f < static_cast<int>(a.size()); ++f) {
     if (!movesOfFace(parameters, f, moves)) continue;
-    const AreaFunctional::Corners corners = areas_.corners(image, static_cast<int>(f));
-    const Vector6 slopes = slopesOf(corners);
-    Matrix6 element = weights_[f] * slopes * slopes.transpose();
-    Vector6 down = weights_[f] * (targets_[f] * total - a[f]) * slopes;
-    for (int k = 0; k < 3; ++k) {
-      for (int l = 0; l < 3; ++l) {
-        element.block<2, 2>(2 * k, 2 * l).diagonal().array() += edgeStiffness(f, damping_ * stiffness_[f], k, l);
-        down.segment<2>(2 * k) -= pull_ * shape_.stiffness(f, k, l) * corners.row(l).transpose();
-      }
-    }
-    forces.noalias() = element * moves;
-    corner.noalias() += moves.transpose() * forces;
-    right.noalias() += moves.transpose() * down;
-    const AreaFunctional::Directions directions = areas_.directions(frames_, static_cast<int>(f));
+    const PlanarModel model = planarModel(areas_.corners(image, f), f, targets_[f] * total - a[f]);
+    forces.noalias() = model.second * moves;
+    system.addCorner(moves, forces, model.down);
+    const AreaFunctional::Directions directions = areas_.directions(frames_, f);
     for (int k = 0; k < 6; ++k) {
-      const int u = areas_.unknown(faces(f, k / 2), k % 2);
-      if (u < 0) continue;
-      int& row = rowOf[static_cast<std::size_t>(u)];
-      if (row < 0) {
-        row = static_cast<int>(unknowns.size());
-        unknowns.push_back(u);
-        border.push_back(Eigen::RowVectorXd::Zero(count));
-      }
-      border[static_cast<std::size_t>(row)] += directions.row(k) * forces.middleRows<2>(k / 2 * 2);
+      const int u = areas_.unknown(areas_.faces()(f, k / 2), k % 2);
+      if (u >= 0) system.addSide(u, directions.row(k) * forces.middleRows<2>(k / 2 * 2));
     }
   }
-  Eigen::MatrixXd sides(static_cast<Eigen::Index>(unknowns.size()), count);
-  for (std::size_t i = 0; i < border.size(); ++i) sides.row(static_cast<Eigen::Index>(i)) = border[i];
-  const SparseSolver& solver = system_->solver();
-  right.noalias() -= sides.transpose() * Eigen::VectorXd(solver.solve(right_))(unknowns);
-  for (Eigen::Index first = 0; first < count; first += kAtOnce) {
-    const Eigen::Index width = std::min(kAtOnce, count - first);
-    Eigen::MatrixXd some = Eigen::MatrixXd::Zero(areas_.unknownCount(), width);
-    some(unknowns, Eigen::all) = sides.middleCols(first, width);
-    some = solver.solve(some);
-    corner.middleCols(first, width).noalias() -= sides.transpose() * some(unknowns, Eigen::all);
-  }
-  corner.diagonal().array() += kRegularisation * corner.diagonal().maxCoeff();
-  const Eigen::VectorXd along = corner.selfadjointView<Eigen::Lower>().ldlt().solve(right);
-  Eigen::VectorXd own = right_;
-  const Eigen::VectorXd pulled = sides * along;
-  for (std::size_t i = 0; i < unknowns.size(); ++i) own[unknowns[i]] -= pulled[static_cast<Eigen::Index>(i)];
-  Coordinates result = areas_.displacement(frames_, solver.solve(own));
+  const auto [step, along] = system.solve(system_->solver(), right_);
+  Coordinates result = areas_.displacement(frames_, step);
   for (Eigen::Index j = 0; j < count / 2; ++j) {
     result.row(areas_.vertexCount() + j) << along[2 * j], along[2 * j + 1];
   }

@@ -13,7 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kMostSteps = 12;
 constexpr int kHalvings = 8;
 constexpr double kWorthwhile = 0.99;     // factor of the distortion in one step
 constexpr double kDamping = 1e-6;        // of the diagonal
@@ -84,7 +83,7 @@ void HolonomyFit::moveTo(const Eigen::VectorXcd& from, const Coordinates& base, 
 
 // Derivatives of the areas by the real and the imaginary part of one parameter.
 void HolonomyFit::derivatives(const Response& response, const std::vector<Complex>& sides, Eigen::MatrixXd& jacobian,
-                 Eigen::Index column) const {
+                              Eigen::Index column) const {
   auto shift = response.shifts.begin();
   for (int f = 0; f < static_cast<int>(jacobian.rows()); ++f) {
     Complex d[3];

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-
 #include "Core/authalic/SeamedBarycentricSystem.h"
 #include "Core/authalic/TargetMeasure.h"
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "Core/authalic/FoldoverFree.h"
 #include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/Patches.h"
-#include "Core/authalic/Untangle.h"
 
 namespace authalic {
 namespace {
@@ -50,7 +50,7 @@ int removeFolds(const HighGenusMesh& surface, const SeamedAreas& areas, const Ta
     const double area = patch.areas(places).sum();  // does not change
     if (!(area > 0)) return;
     targets *= area / targets.sum();
-    untangle(patch, targets, points, kMostSteps, backend, places);
+    (void)foldoverFree(patch, targets, points, kMostSteps, backend, places);
   };
   for (const int rings : {4, 8, 16, 32}) {
     const Chosen chosen = folded(areas, image);
@@ -60,7 +60,7 @@ int removeFolds(const HighGenusMesh& surface, const SeamedAreas& areas, const Ta
   if (!folded(areas, image).any() || execution.cancelled()) return static_cast<int>(folded(areas, image).count());
   Coordinates places = image;
   const Eigen::VectorXd targets = areas.areas(image).sum() * target.faces();
-  const int left = untangle(areas, targets, surface.mesh().points(), kMostStepsEverywhere, backend, places);
+  const int left = foldoverFree(areas, targets, surface.mesh().points(), kMostStepsEverywhere, backend, places);
   image = places;
   return left;
 }

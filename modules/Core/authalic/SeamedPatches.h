@@ -10,7 +10,7 @@
 
 namespace authalic {
 
-/// Removes the folds of an image: untangle() in patches of 4, 8, 16 and 32 rings around them, then everywhere.
+/// Removes the folds of an image: foldoverFree() in patches of 4, 8, 16 and 32 rings around them, then everywhere.
 ///
 /// Corners of a patch keep their motions, so that a patch needs no chart of its own and may lie across seams and around
 /// cones, which stay.

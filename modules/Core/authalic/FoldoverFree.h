@@ -16,15 +16,15 @@ namespace authalic {
 ///     Σ_t m_t (|J_t|² + 1 + D_t²) / χ_ε(D_t),   χ_ε(D) = ½ (D + (ε² + D²)^½),
 ///
 /// whose second derivative is made positive face by face. χ is positive on folded faces as well; ε falls with the
-/// energy, so that the energy becomes a barrier once no face is folded: then it is least where faces have their areas
-/// and shapes @cite garanzha2021.
+/// energy, but not below the depth of the deepest fold, so that the energy becomes a barrier once no face is folded:
+/// then it is least where faces have their areas and shapes @cite garanzha2021.
 /// @param areas      in the plane, every free vertex in both directions
 /// @param targets    m areas > 0, in the unit of the image
 /// @param points     n×3, of the surface
 /// @param mostSteps  of Newton's method; fewer where the image is free of folds and the energy falls slowly
 /// @return the number of folded faces that are left
 /// Complexity: one symbolic and a numeric sparse factorisation per step.
-int untangle(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points, int mostSteps,
-             SolverBackend backend, Coordinates& image);
+[[nodiscard]] int foldoverFree(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points,
+                               int mostSteps, SolverBackend backend, Coordinates& image);
 
 }  // namespace authalic

@@ -1,4 +1,4 @@
-#include "Core/authalic/Untangle.h"
+#include "Core/authalic/FoldoverFree.h"
 
 #include <Eigen/Dense>
 
@@ -81,9 +81,10 @@ void derivatives(const Vector4& j, double epsilon, Vector4& gradient, Matrix4& h
   hessian = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-class Untangling {
+class FoldoverFreeMap {
  public:
-  Untangling(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points, SolverBackend backend)
+  FoldoverFreeMap(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points,
+                  SolverBackend backend)
       : areas_(areas), targets_(targets), assembly_(areas.unknownCount(), unknowns(areas)),
         solver_(backend, PatternUse::Reused), values_(static_cast<std::size_t>(21 * targets.size())) {
     for (Eigen::Index f = 0; f < targets.size(); ++f) {
@@ -104,7 +105,7 @@ class Untangling {
     return sum;
   }
 
-  // One step of Newton's method. @return the energy before and after it are the same where there was none
+  // One step of Newton's method.
   void advance(Coordinates& image) {
     const double before = energy(image);
     const AreaFunctional::Frames frames = areas_.frames(image);
@@ -122,11 +123,13 @@ class Untangling {
     progress_ = 1 - after / before;
   }
 
-  // ε for the next step, as the cited work has it.
+  // ε for the next step, as the cited work has it, but not below the depth of the deepest fold: of one step at an ε
+  // that fell without the energy, folds would see a wall.
   void sharpen(double smallest) {
     const double d = smallest, sigma = std::max(kLeastProgress, progress_);
     const double mu = (1 - sigma) * positivePart(d, epsilon_);
-    epsilon_ = d < mu ? std::max(kLeastEpsilon, 2 * std::sqrt(mu * (mu - d))) : kLeastEpsilon;
+    const double wanted = d < mu ? 2 * std::sqrt(mu * (mu - d)) : 0;
+    epsilon_ = std::max({wanted, -d, kLeastEpsilon});
   }
 
   [[nodiscard]] double progress() const noexcept { return progress_; }
@@ -182,15 +185,15 @@ class Untangling {
 
 }  // namespace
 
-int untangle(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points, int mostSteps,
-             SolverBackend backend, Coordinates& image) {
-  Untangling untangling(areas, targets, points, backend);
+int foldoverFree(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Points3& points, int mostSteps,
+                 SolverBackend backend, Coordinates& image) {
+  FoldoverFreeMap map(areas, targets, points, backend);
+  double smallest = map.smallest(image);
   try {
-    for (int step = 0; step < mostSteps; ++step) {
-      untangling.advance(image);
-      const double smallest = untangling.smallest(image);
-      if (smallest > 0 && untangling.progress() < 1 - kSlow) break;
-      untangling.sharpen(smallest);
+    for (int step = 0; step < mostSteps && !(smallest > 0 && map.progress() < 1 - kSlow); ++step) {
+      map.sharpen(smallest);
+      map.advance(image);
+      smallest = map.smallest(image);
     }
   } catch (const SolverError&) {  // the image of the last step stays
   }
