@@ -115,7 +115,7 @@ class SurfaceMap(Surface):
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
     hidden = ("domain", "aspect", "measure_array_name", "balance", "balance_array_name", "initial_method",
-              "output_mode")
+              "output_mode", "source_density_array_name")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
@@ -130,7 +130,7 @@ def flatten(points: Any,
             max_iterations: Optional[int] = None,
             *,
             roi: Any = None, roi_blend: float = 0.0, balance: Any = None,
-            hole_areas: Any = None, threads: int = 0,
+            hole_areas: Any = None, source: Any = None, source_density: Any = None, threads: int = 0,
             progress: Progress = None,
             on_not_converged: str = "warn",
             **options: Any) -> SurfaceMap:
@@ -169,6 +169,9 @@ def flatten(points: Any,
     max_iterations  None = the default of the method
     hole_areas  of "authalic-holes", "transport-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2,
                 in the order of the loops' smallest vertex ids; None = of the cones that close them
+    source      of "transport" in the plane: a planar mesh that covers the domain, Surface, SurfaceMap (its image) or
+                vtkPolyData; None = the source is uniform. Not with a finish or a balance
+    source_density  its density > 0, linear in every triangle: one number per vertex, or the name of a point array
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
@@ -193,6 +196,7 @@ def flatten(points: Any,
     mesh = _with_regions(algorithm, method, mesh, roi, roi_blend)
     _set_initial(algorithm, method, mesh, initial)
     _set_hole_areas(algorithm, method, hole_areas)
+    _set_source(algorithm, method, source, source_density)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -332,6 +336,23 @@ def _set_hole_areas(algorithm, method, hole_areas):
         raise InvalidArgument(f"Method {method} takes no hole_areas; leave them out.")
     for area in _arrays.numbers(hole_areas, "hole_areas", (None,)):
         algorithm.AddHoleArea(area)
+
+
+def _set_source(algorithm, method, source, density):
+    if source is None and density is None:
+        return
+    if not hasattr(algorithm, "SetSourceDensityArrayName"):
+        raise InvalidArgument(f"Method {method} takes no source; it is for transport to the plane.")
+    if source is None or density is None:
+        missing, given = ("source", "source_density") if source is None else ("source_density", "source")
+        raise InvalidArgument(f"source and source_density belong together; {given} was given without {missing}.")
+    mesh = to_polydata(source)
+    if not isinstance(density, str):
+        values = _arrays.numbers(density, "source_density", (mesh.GetNumberOfPoints(),))
+        _arrays.add_arrays(mesh.GetPointData(), {"SourceDensity": values}, len(values), "vertices")
+        density = "SourceDensity"
+    algorithm.SetInputData(2, mesh)
+    algorithm.SetSourceDensityArrayName(density)
 
 
 def _set_initial(algorithm, method, mesh, initial):
