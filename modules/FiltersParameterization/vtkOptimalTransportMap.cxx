@@ -53,8 +53,8 @@ void vtkOptimalTransportMap::CheckSource(bool meshGiven) const {
                                     std::string(meshGiven ? "mesh" : "name") + " was given; give both, or neither.");
   }
   if (this->Finish == AUTHALIC) {
-    throw authalic::InvalidArgument("A uniform source is required for the finish authalic, which makes areas exact, but "
-                                    "there is a source density; leave one of them out.");
+    throw authalic::InvalidArgument("A uniform source is required for the finish authalic, which makes areas exact, "
+                                    "but there is a source density; leave one of them out.");
   }
   if (this->Balance < 1 || !this->BalanceArrayName.empty()) {
     throw authalic::InvalidArgument("A uniform source is required for a balance, which is one with the areas of the "

@@ -24,8 +24,8 @@ class TransportFamily : public MapFamily {
            "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
            "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
            "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere, a surface with holes to --domain "
-           "circle-domain (unit disk; holes are filled with masses of their own, and round after the finish). In the plane "
-           "the source is uniform, or the density of --source, which every cell then has its share of.\n\n"
+           "circle-domain (unit disk; holes are filled with masses of their own, and round after the finish). In the "
+           "plane the source is uniform, or the density of --source, which every cell then has its share of.\n\n"
            "balanced: between a conformal and an area-preserving map of a disk or, with --domain sphere, a closed "
            "surface of genus 0: transport from the conformal map with --balance " + shown(kHalf) + " and --finish "
            "authalic, if not given.";

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "Core/authalic/AuthalicMap.h"
@@ -115,4 +116,29 @@ TEST_F(OptimalTransportMap, RefusesWhatDoesNotBelongTogether) {
   OptimalTransportMapOptions options;
   options.domain = PlanarDomain::polygon(arrow);
   EXPECT_THROW((void)optimalTransportMap(disk, shares, options), InvalidArgument);
+}
+
+TEST_F(OptimalTransportMap, GivesEveryCellItsShareOfASourceDensity) {
+  Points2 triangle(3, 2);
+  triangle << 0, 0, 2, 0, 0.5, 1.5;
+  for (const PlanarDomain& domain : {PlanarDomain::disk(), PlanarDomain::square(), PlanarDomain::polygon(triangle)}) {
+    const TriangleMesh grid = gridMesh(20, 20, 4, 4);
+    const TriangleMesh mesh(grid.points().rowwise() - Eigen::RowVector3d(1.5, 1.5, 0), grid.faces());
+    const Eigen::VectorXd values = (2 * mesh.points().leftCols(2).rowwise().norm().array()).cos() + 1.1;
+    OptimalTransportMapOptions options;
+    options.domain = domain;
+    options.source = std::make_shared<const PiecewiseLinearDensity>(domain, DiskMesh(mesh), values);
+    const DiskMesh disk(bumpyDisk(12, 1.5));
+    const Eigen::VectorXd shares = TargetMeasure(disk.mesh()).vertices();
+    const OptimalTransportMapResult map = optimalTransportMap(disk, shares, options);
+    EXPECT_EQ(map.status, Status::Converged);
+    EXPECT_EQ(map.emptyCells, 0);
+    const int n = disk.mesh().vertexCount();
+    EXPECT_LE((map.cellMasses / options.source->total() - shares).cwiseAbs().maxCoeff() * n, 1e-9);
+    EXPECT_NEAR(map.cellAreas.sum(), domain.area(), 1e-12);
+    EXPECT_GT((map.cellAreas / domain.area() - shares).cwiseAbs().maxCoeff() * n, 0.1);
+    EXPECT_NO_THROW((void)recogniseBoundary(disk, domain, map.image));
+    options.domain = PlanarDomain::rectangle(3);
+    EXPECT_THROW((void)optimalTransportMap(disk, shares, options), InvalidArgument);
+  }
 }

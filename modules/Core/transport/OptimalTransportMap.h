@@ -33,8 +33,8 @@ struct OptimalTransportMapResult : TransportSolution {
 
 /// The area-preserving (or measure-controlled) map by optimal transport @cite su2016: sites y_i = images of the
 /// vertices under an initial map; heights such that cell i has the mass ν_i (semiDiscreteTransport), its area
-/// unless there is a source density; image of vertex i = centroid of its cell. Boundary vertices go to the point of the boundary nearest to that: of the
-/// circle, or of their side; corners stay.
+/// unless there is a source density; image of vertex i = centroid of its cell. Boundary vertices go to the point of the
+/// boundary nearest to that: of the circle, or of their side; corners stay.
 ///
 /// @param shares   n, > 0, sum 1: of the source, for each vertex (TargetMeasure::vertices())
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty for the harmonic map;
@@ -43,10 +43,11 @@ struct OptimalTransportMapResult : TransportSolution {
 ///                 that leave a cell empty: those of Voronoi's cells
 ///
 /// Guarantees: cells have their masses to `tolerance`; none is empty. Not guaranteed: that faces keep theirs, or do
-/// not fold (flippedFaces) — authalicMap started from this image removes both.
+/// not fold (flippedFaces) — authalicMap started from this image removes both when the source is uniform.
 /// Complexity: as semiDiscreteTransport.
-/// @throws InvalidArgument when the domain is not convex or not that of the source, and from options; GeometryError when initial or shares do
-///         not belong to the disk, or two vertices have one image; SolverError when a system cannot be factorised
+/// @throws InvalidArgument when the domain is not convex or not that of the source, and from options; GeometryError
+///         when initial or shares do not belong to the disk, or two vertices have one image; SolverError when a system
+///         cannot be factorised
 [[nodiscard]] OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen::VectorXd& shares,
                                                             const OptimalTransportMapOptions& options = {},
                                                             const Points2& initial = {},

@@ -42,11 +42,11 @@ struct TransportSolution {
 /// x ↦ y_i on W_i then has the least transport cost Σ_i ∫_{W_i} |x − y_i|² ρ of all maps of that measure @cite gu2016.
 ///
 /// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) ρ dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
-/// ∂w_i/∂h_j = −∫_{e_ij} ρ ds / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a step
-/// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν), |w − ν|₂ falls to (1 − α/2)
-/// of itself and |w − ν|∞ does not grow, else halved; the next one tried is four times longer, 1 at most. The error
-/// after a step α is (1 − α)(w − ν) + O(α²) in any norm, so that short steps always pass: converges from every
-/// start without empty cells, at the end quadratically.
+/// ∂w_i/∂h_j = −∫_{e_ij} ρ ds / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a
+/// step α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν), |w − ν|₂ falls to
+/// (1 − α/2) of itself and |w − ν|∞ does not grow, else halved; the next one tried is four times longer, 1 at most.
+/// The error after a step α is (1 − α)(w − ν) + O(α²) in any norm, so that short steps always pass: converges from
+/// every start without empty cells, at the end quadratically.
 ///
 /// @param diagram  its sites, domain and source; holds the cells of the result afterwards
 /// @param masses   ν, n, > 0, with the sum diagram.total() (to 1e-6; scaled to it exactly)
