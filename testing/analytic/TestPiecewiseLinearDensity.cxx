@@ -231,6 +231,18 @@ TEST_F(PiecewiseLinearDensities, AreSharedWithoutGapOrOverlap) {
   }
 }
 
+TEST_F(PiecewiseLinearDensities, AreSharedOnMeshesWhoseBoundaryIsRounded) {
+  for (const double scale : {1 - 9e-7, 1 - 1e-15, 1 + 1e-15, 1 + 9e-7, 1.1}) {
+    const TriangleMesh mesh = diskMesh(20);
+    const TriangleMesh scaled(scale * mesh.points(), mesh.faces());
+    const Source source = sourceOf(PlanarDomain::disk(), scaled, [](double x, double) { return 2 + x; });
+    EXPECT_NEAR(source->total(), 2 * M_PI, 1e-12) << scale;
+    PowerDiagram diagram(randomPoints(300, 5, -0.6, 0.6), source);
+    const PowerCells& cells = diagram.compute(noisyHeights(diagram.sites(), PlanarDomain::disk(), 1e-3));
+    EXPECT_NEAR(cells.masses.sum() / source->total(), 1, 1e-13) << scale;
+  }
+}
+
 TEST_F(PiecewiseLinearDensities, GiveMassesWhoseDerivativesAreThoseOfTheEdges) {
   const Source source = sourceOf(PlanarDomain::disk(), diskMesh(12), waves);
   const Points2 sites = randomPoints(60, 6, -0.7, 0.7);

@@ -7,6 +7,8 @@
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/distortion/Distortion.h"
+#include "Core/geometry/Areas.h"
+#include "Core/initial/BarycentricMap.h"
 #include "Core/initial/BoundaryPlacement.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "support/TestMeshes.h"
@@ -27,6 +29,25 @@ OptimalTransportMapResult transported(const DiskMesh& disk, const PlanarDomain& 
   OptimalTransportMapOptions options;
   options.domain = domain;
   return optimalTransportMap(disk, TargetMeasure(disk.mesh()).vertices(), options);
+}
+
+// Root mean square of how far vertices move from the density that their own harmonic map has.
+double distanceFromOwnDensity(int rings) {
+  const DiskMesh disk(bumpyDisk(rings));
+  BarycentricMapOptions harmonic;
+  harmonic.weights = BarycentricWeights::Harmonic;
+  const Points2 sites = barycentricMap(disk, harmonic).image;
+  const Eigen::VectorXd shares = TargetMeasure(disk.mesh()).vertices();
+  const Eigen::VectorXd image = vertexStars(signedFaceAreas(sites, disk.mesh().faces()), disk.mesh().faces(),
+                                            disk.mesh().vertexCount());
+  Points3 places = Points3::Zero(sites.rows(), 3);
+  places.leftCols(2) = sites;
+  OptimalTransportMapOptions options;
+  options.source = std::make_shared<const PiecewiseLinearDensity>(
+      PlanarDomain::disk(), DiskMesh(TriangleMesh(places, disk.mesh().faces())), shares.cwiseQuotient(image));
+  const OptimalTransportMapResult map = optimalTransportMap(disk, shares, options, sites);
+  EXPECT_EQ(map.status, Status::Converged);
+  return (map.image - sites).norm() / std::sqrt(disk.mesh().vertexCount());
 }
 
 double distanceFromFlat(int rings) {
@@ -141,4 +162,12 @@ TEST_F(OptimalTransportMap, GivesEveryCellItsShareOfASourceDensity) {
     options.domain = PlanarDomain::rectangle(3);
     EXPECT_THROW((void)optimalTransportMap(disk, shares, options), InvalidArgument);
   }
+}
+
+TEST_F(OptimalTransportMap, FromTheDensityOfItsOwnInitialMapApproachesTheIdentity) {
+  const double coarse = distanceFromOwnDensity(8), middle = distanceFromOwnDensity(16);
+  const double fine = distanceFromOwnDensity(32);
+  EXPECT_GT(coarse / middle, 2.0) << coarse << ' ' << middle;
+  EXPECT_GT(middle / fine, 2.0) << middle << ' ' << fine;
+  EXPECT_LT(fine, 0.01);
 }

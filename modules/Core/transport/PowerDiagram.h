@@ -61,7 +61,7 @@ class PowerDiagram {
   /// @throws GeometryError when there is no site, one is not finite or two coincide (they are named)
   /// @throws InvalidArgument when the domain is not convex, or this build has no CGAL
   PowerDiagram(Points2 sites, const PlanarDomain& domain);
-  /// The same of a density on its domain.
+  /// The same of a density, not null, on its domain.
   PowerDiagram(Points2 sites, std::shared_ptr<const PiecewiseLinearDensity> source);
   ~PowerDiagram();
   PowerDiagram(PowerDiagram&&) noexcept;
