@@ -43,7 +43,7 @@ class PiecewiseLinearDensity {
  public:
   /// @param domain  Ω
   /// @param mesh    in a plane z = constant, all triangles turned the same way; vertices of its boundary lie on that
-  ///                of Ω or outside (to 1e-6)
+  ///                of Ω or outside, to 1e-6 of the size of Ω, and its sides run outside or are chords of the circle
   /// @param values  n, ρ at its vertices, > 0; of any scale
   /// @throws InvalidArgument when the domain is not convex, or a value is not positive and finite
   /// @throws GeometryError when there is not one value per vertex, the mesh is not planar, a triangle is folded or has
