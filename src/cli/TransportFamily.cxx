@@ -89,7 +89,7 @@ class TransportFamily : public MapFamily {
     setDiskDomain(map, shared.domain);
     if (balanced) map->SetInitialMethodToRiemann();
     if (!source_.empty()) {
-      map->SetInputData(2, readSurface(source_, session, shared.space));
+      map->SetInputData(2, readSurface(source_, session, {}));  // in the plane of the domain, not in --space
       map->SetSourceDensityArrayName(sourceDensity_);
     }
     return configured(map, balanced, shared, session);
