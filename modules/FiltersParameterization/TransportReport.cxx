@@ -78,6 +78,7 @@ void addPlanarArrays(const PlanarTransport& transport, vtkPolyData* map) {
   addArray(map->GetPointData(), "Site", lifted(transport.sites.topRows(n)));
   addArray(map->GetPointData(), "CellArea", Eigen::VectorXd(transport.cellAreas.head(n)));
   addArray(map->GetPointData(), "Potential", Eigen::VectorXd(transport.potential.head(n)));
+  if (transport.cellMasses) addArray(map->GetPointData(), "CellMass", Eigen::VectorXd(transport.cellMasses->head(n)));
 }
 
 void setPlanarCells(const PlanarTransport& transport, vtkPolyData* output) {
@@ -90,6 +91,9 @@ void setPlanarCells(const PlanarTransport& transport, vtkPolyData* output) {
     for (int k = begin; k < end; ++k) potential[k] = cells.corners.row(k).dot(transport.sites.row(i)) + heights[i];
   }
   addArray(output->GetPointData(), "Potential", potential);
+  if (!transport.cellMasses) return;
+  const std::vector<int> drawn = toIntegers(output->GetCellData()->GetArray("SiteIds"));
+  addArray(output->GetCellData(), "Mass", Eigen::VectorXd((*transport.cellMasses)(drawn)));
 }
 
 }  // namespace authalic

@@ -44,12 +44,14 @@ struct PlanarTransport {
   const Eigen::VectorXd& cellAreas;
   const Eigen::VectorXd& potential;
   const CellPolygons& cells;
+  const Eigen::VectorXd* cellMasses = nullptr;  ///< of a source density; none: uniform
 };
 
-/// Point arrays Site, CellArea, Potential of the map, whose vertices are the first sites.
+/// Point arrays Site, CellArea, Potential, and CellMass where there is a source density, of the map, whose vertices are
+/// the first sites.
 void addPlanarArrays(const PlanarTransport& transport, vtkPolyData* map);
 
-/// setCells() with the potential at the corners.
+/// setCells() with the potential at the corners, and Mass of a source density.
 void setPlanarCells(const PlanarTransport& transport, vtkPolyData* output);
 
 }  // namespace authalic

@@ -12,15 +12,17 @@
 #include "Conversion.h"
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/authalic/FinishStart.h"
+#include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "MapArrays.h"
+#include "SourceDensity.h"
 #include "TransportReport.h"
 
 vtkStandardNewMacro(vtkOptimalTransportMap);
 
 vtkOptimalTransportMap::vtkOptimalTransportMap() {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
   const authalic::OptimalTransportMapOptions defaults;
   this->Tolerance = defaults.tolerance;
@@ -29,7 +31,7 @@ vtkOptimalTransportMap::vtkOptimalTransportMap() {
 
 int vtkOptimalTransportMap::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  if (port > 0) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -40,7 +42,24 @@ authalic::Json vtkOptimalTransportMap::DescribeAllOptions(bool initialMapGiven) 
   options.set("tolerance", this->Tolerance);
   options.set("max_iterations", this->MaximumIterations);
   options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
+  options.set("source_density", this->SourceDensityArrayName);
   return options;
+}
+
+void vtkOptimalTransportMap::CheckSource(bool meshGiven) const {
+  if (!meshGiven && this->SourceDensityArrayName.empty()) return;
+  if (!meshGiven || this->SourceDensityArrayName.empty()) {
+    throw authalic::InvalidArgument("A source density is a mesh and the name of its point array, but only the " +
+                                    std::string(meshGiven ? "mesh" : "name") + " was given; give both, or neither.");
+  }
+  if (this->Finish == AUTHALIC) {
+    throw authalic::InvalidArgument("A uniform source is required for the finish authalic, which makes areas exact, "
+                                    "but there is a source density; leave one of them out.");
+  }
+  if (this->Balance < 1 || !this->BalanceArrayName.empty()) {
+    throw authalic::InvalidArgument("A uniform source is required for a balance, which is one with the areas of the "
+                                    "conformal map, but there is a source density; leave one of them out.");
+  }
 }
 
 void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformationVector* outputs,
@@ -53,6 +72,9 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   options.tolerance = this->Tolerance;
   options.maxIterations = this->MaximumIterations;
   options.validate();
+  vtkPolyData* source = vtkPolyData::GetData(inputs[2]);
+  this->CheckSource(source != nullptr);
+  if (source) options.source = authalic::sourceDensityOf(source, this->SourceDensityArrayName, options.domain);
   const authalic::DiskMesh disk(authalic::toTriangleMesh(input));
   const authalic::TargetMeasure target = authalic::targetMeasureOf(input, disk.mesh(), this->MeasureArrayName);
   authalic::Points2 initial;  // empty: Core starts from the harmonic map
@@ -93,8 +115,9 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   report.options = this->DescribeAllOptions(given != nullptr);
   authalic::describeBalance(balance, report.options, output);
   if (!balance.whole()) report.method = "balanced";
-  const authalic::PlanarTransport transport{result.sites, result.heights, result.cellAreas, result.potential,
-                                            result.cells};
+  if (source) authalic::describeSource(*options.source, report, output);
+  const authalic::PlanarTransport transport{result.sites,     result.heights, result.cellAreas,
+                                            result.potential, result.cells,   source ? &result.cellMasses : nullptr};
   authalic::addPlanarArrays(transport, output);
   authalic::setPlanarCells(transport, vtkPolyData::GetData(outputs, 1));
   this->Publish(output, report);
@@ -108,4 +131,5 @@ void vtkOptimalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Finish: " << this->Finish << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";
+  os << indent << "SourceDensityArrayName: " << this->SourceDensityArrayName << "\n";
 }

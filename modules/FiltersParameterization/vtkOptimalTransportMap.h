@@ -13,6 +13,7 @@
  * |---|---|
  * | input 0 | vtkPolyData, the surface: see vtkDiskMapAlgorithm; the domain must be convex |
  * | input 1, optional | vtkPolyData, an initial map to the same domain: same vertices in the same order |
+ * | input 2, optional | vtkPolyData, mesh of the source density: a planar disk (z constant) that covers the domain |
  * | output 0 | vtkPolyData, the map: see vtkSurfaceMapAlgorithm |
  * | output 1 | vtkPolyData, the cells: one polygon per vertex, arcs of the disk with a corner every 0.02 radians |
  *
@@ -20,18 +21,25 @@
  * |---|---|---|---|---|
  * | 0 | point | Site | 3 double | y_i: the initial map |
  * | 0 | point | CellArea | 1 double | area of the cell |
+ * | 0 | point | CellMass | 1 double | with a source density: its integral over the cell |
  * | 0 | point | Potential | 1 double | u at the image, u(x) = max over i of ⟨x, y_i⟩ + h_i |
  * | 0 | field | Method | 1 string | transport; balanced with a balance |
  * | 0 | field | Balance | 1 double | as set; without BalanceArrayName |
- * | 0 | field | TransportResidual | 1 double | max of the absolute difference of cell area and target / mean target |
- * | 0 | field | TransportCost | 1 double | W₂² = Σ ∫ over cells of the squared distance to the site |
+ * | 0 | field | TransportResidual | 1 double | max of the absolute difference of cell mass and target / mean target |
+ * | 0 | field | TransportCost | 1 double | W₂² = Σ ∫ over cells of the squared distance to the site, times the density |
+ * | 0 | field | SourceMass | 1 double | with a source density: its integral over the domain |
  * | 0 | field | DisplacementCost | 1 double | Σ ν times squared distance of image and site, before the finish |
  * | 0 | field | FinishedCost | 1 double | the same after it, when there is one |
  * | 0 | field | FlippedBeforeFinish | 1 int | folded faces before it, when there is one |
  * | 0 | field | EmptyCells | 1 int | 0 |
  * | 1 | cell | SiteIds | 1 id | vertex of the cell |
  * | 1 | cell | Area | 1 double | exact, arcs included |
+ * | 1 | cell | Mass | 1 double | with a source density: its integral over the cell |
  * | 1 | point | Potential | 1 double | u at the corners |
+ *
+ * The source is the uniform measure of the domain, or the density that a point array of input 2 gives: linear in every
+ * triangle, continued between the chords of its boundary and the circle. Cells then have equal shares of that density,
+ * not of the area, and AreaDistortion, which compares areas, is not what the map controls.
  *
  * See gu2016, kitagawa2019 and su2016 in docs/references.bib, and docs/methods/optimal-transport.md.
  *
@@ -43,7 +51,7 @@
 #include "vtkAuthalicFiltersParameterizationModule.h" // for export macro
 #include "vtkDiskMapAlgorithm.h"
 
-#include <string> // for BalanceArrayName
+#include <string> // for BalanceArrayName, SourceDensityArrayName
 
 class VTKAUTHALICFILTERSPARAMETERIZATION_EXPORT vtkOptimalTransportMap : public vtkDiskMapAlgorithm
 {
@@ -110,6 +118,15 @@ public:
   vtkGetMacro(BalanceArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Point array of input 2, one number > 0 at every vertex: the source density. Not with a Finish, nor with a balance.
+   * Required with input 2, empty without it. Default empty.
+   */
+  vtkSetMacro(SourceDensityArrayName, std::string);
+  vtkGetMacro(SourceDensityArrayName, std::string);
+  ///@}
+
 protected:
   vtkOptimalTransportMap();
   ~vtkOptimalTransportMap() override = default;
@@ -123,8 +140,10 @@ protected:
   int Finish = NO_FINISH;
   double Balance = 1.0;
   std::string BalanceArrayName;
+  std::string SourceDensityArrayName;
 
 private:
+  void CheckSource(bool meshGiven) const;
   authalic::Json DescribeAllOptions(bool initialMapGiven) const;
 
   vtkOptimalTransportMap(const vtkOptimalTransportMap&) = delete;

@@ -24,7 +24,8 @@ class TransportFamily : public MapFamily {
            "every vertex has exactly its share at the least cost, and the vertex goes to its middle. Faces are not "
            "exact and may fold, --finish authalic removes both; a disk to --domain disk, square, rectangle:ASPECT or "
            "a convex polygon:FILE, a closed surface of genus 0 to --domain sphere, a surface with holes to --domain "
-           "circle-domain (unit disk; holes are filled with masses of their own, and round after the finish).\n\n"
+           "circle-domain (unit disk; holes are filled with masses of their own, and round after the finish). In the "
+           "plane the source is uniform, or the density of --source, which every cell then has its share of.\n\n"
            "balanced: between a conformal and an area-preserving map of a disk or, with --domain sphere, a closed "
            "surface of genus 0: transport from the conformal map with --balance " + shown(kHalf) + " and --finish "
            "authalic, if not given.";
@@ -48,6 +49,12 @@ class TransportFamily : public MapFamily {
   void declare(CLI::App* verb) override {
     own(verb->add_option("--cells", cells_, "The power cells: a polygon per vertex, with Area and Potential."))
         ->type_name("CELLS.vtp");
+    own(verb->add_option("--source", source_,
+                         "Planar mesh of the source density: covers the domain; linear in every triangle. Not with "
+                         "--finish authalic or --balance."))
+        ->type_name("MESH");
+    own(verb->add_option("--source-density", sourceDensity_, "Point array of MESH: the source density, above 0."))
+        ->type_name("NAME");
     own(verb->add_option("--hole-share", holeShare_,
                          "--domain circle-domain: part of the disk that all holes get together, in [0, 1), as "
                          "--hole-areas or else the conformal map divides it; 0 = as large as their areas are."))
@@ -70,6 +77,7 @@ class TransportFamily : public MapFamily {
     if (shared.domain != "sphere" && (formulation_ || !pole_.empty())) {
       throw Failure(UsageProblem, "--formulation and --pole need --domain sphere.");
     }
+    requireSourceOptions(shared);
     if (shared.domain == "sphere" && shared.holeAreas.empty() && !holeShare_) {
       return configured(spherical(), balanced, shared, session);
     }
@@ -80,6 +88,10 @@ class TransportFamily : public MapFamily {
     const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
     setDiskDomain(map, shared.domain);
     if (balanced) map->SetInitialMethodToRiemann();
+    if (!source_.empty()) {
+      map->SetInputData(2, readSurface(source_, session, {}));  // in the plane of the domain, not in --space
+      map->SetSourceDensityArrayName(sourceDensity_);
+    }
     return configured(map, balanced, shared, session);
   }
 
@@ -110,6 +122,17 @@ class TransportFamily : public MapFamily {
   }
 
  private:
+  void requireSourceOptions(const SharedMapOptions& shared) const {
+    if (source_.empty() != sourceDensity_.empty()) {
+      throw Failure(UsageProblem, "--source MESH and --source-density NAME, an array of it, belong together; only " +
+                                      std::string(source_.empty() ? "the second" : "the first") + " was given.");
+    }
+    const std::string domain = shared.domain.value_or("disk");
+    if (source_.empty() || (domain != "sphere" && domain != "circle-domain")) return;
+    throw Failure(UsageProblem, "--source is for --domain disk, square, rectangle:ASPECT or polygon:FILE; it is " +
+                                    domain + ", where the source is uniform.");
+  }
+
   vtkSmartPointer<vtkSphericalTransportMap> spherical() const {
     const auto map = vtkSmartPointer<vtkSphericalTransportMap>::New();
     if (formulation_) map->SetFormulation(choice("--formulation", *formulation_, formulations));
@@ -165,7 +188,7 @@ class TransportFamily : public MapFamily {
   }
 
   vtkNew<vtkOptimalTransportMap> defaults_;
-  std::string cells_;
+  std::string cells_, source_, sourceDensity_;
   std::optional<double> holeShare_;
   std::optional<std::string> formulation_;
   std::vector<double> pole_;

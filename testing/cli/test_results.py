@@ -276,6 +276,23 @@ class Results(CommandLine):
         self.assertIn("convex", self.fails(2, "map", "transport", disk, "-o", "t.vtp", "--domain", "polygon:arrow.txt"))
         self.assertIn("--finish must be", self.fails(2, "map", "transport", disk, "-o", "t.vtp", "--finish", "match"))
 
+    def test_transport_takes_a_source_density(self):
+        disk, ball = (pathlib.Path(ARGUMENTS.fixtures) / name for name in ("bumpy_disk.off", "folded_sphere.off"))
+        self.succeeds("map", "transport", disk, "-o", "t.vtp", "--max-iterations", 0, "--allow-nonconverged")
+        words = ("map", "transport", disk, "-o", "s.vtp", "--source", "t.vtp", "--source-density", "CellArea")
+        self.succeeds(*words, "--report", "s.json")
+        report = json.loads((self.here / "s.json").read_text())
+        self.assertEqual((report["status"], report["options"]["source_density"]), ("converged", "CellArea"))
+        self.assertLess(report["transport_residual"], 1e-9)
+        self.assertGreater(report["source_mass"], 0)
+        self.assertIn("belong together", self.fails(2, *words[:-2]))
+        self.assertIn("belong together", self.fails(2, *words[:5], *words[7:]))
+        self.assertIn("needs an array named", self.fails(2, *words[:-1], "rho"))
+        self.assertIn("uniform source", self.fails(2, *words, "--finish", "authalic"))
+        self.assertIn("source is uniform", self.fails(2, *words, "--domain", "sphere"))
+        self.assertIn("covers the polygon", self.fails(3, *words, "--domain", "square"))
+        self.assertIn("Source mesh: ", self.fails(3, *words[:6], ball, *words[7:]))
+
     def test_transport_takes_closed_surfaces_to_the_sphere(self):
         ball = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
         self.succeeds("map", "transport", ball, "-o", "s.vtp", "--domain", "sphere", "--cells", "c.vtp", "--report",

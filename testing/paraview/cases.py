@@ -33,6 +33,8 @@ CASES = [
      {"Domain": 2, "Aspect": 3.0, "Finish": 1}),
     ("riemannsites", "OptimalTransportMap", DISK, {"InitialMethod": 1}),
     ("balanced", "OptimalTransportMap", DISK, {"InitialMethod": 1, "Balance": 0.5, "Finish": 1}),
+    ("fromdensity", "OptimalTransportMap", DISK + [("InitialMap", "harmonic", 0), ("SourceMesh", "transported", 0)],
+     {"SourceDensityArrayName": "CellArea"}),
     ("curve", "BalanceCurve", DISK, {"NumberOfBalances": 3}),
     ("unfolded", "DiscreteLieFlow", DISK + [("InitialMap", "harmonic", 0)], {"Finish": 1, "StepRatio": 0.5}),
     ("square", "DiscreteLieFlow", DISK, {"Domain": 1, "Tolerance": 0.01, "InitialMethod": 2, "KeepInitial": 1}),

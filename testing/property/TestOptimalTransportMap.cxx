@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "Core/authalic/AuthalicMap.h"
 #include "Core/base/Error.h"
 #include "Core/distortion/Distortion.h"
+#include "Core/geometry/Areas.h"
+#include "Core/initial/BarycentricMap.h"
 #include "Core/initial/BoundaryPlacement.h"
 #include "Core/transport/OptimalTransportMap.h"
 #include "support/TestMeshes.h"
@@ -26,6 +29,25 @@ OptimalTransportMapResult transported(const DiskMesh& disk, const PlanarDomain& 
   OptimalTransportMapOptions options;
   options.domain = domain;
   return optimalTransportMap(disk, TargetMeasure(disk.mesh()).vertices(), options);
+}
+
+// Root mean square of how far vertices move from the density that their own harmonic map has.
+double distanceFromOwnDensity(int rings) {
+  const DiskMesh disk(bumpyDisk(rings));
+  BarycentricMapOptions harmonic;
+  harmonic.weights = BarycentricWeights::Harmonic;
+  const Points2 sites = barycentricMap(disk, harmonic).image;
+  const Eigen::VectorXd shares = TargetMeasure(disk.mesh()).vertices();
+  const Eigen::VectorXd image = vertexStars(signedFaceAreas(sites, disk.mesh().faces()), disk.mesh().faces(),
+                                            disk.mesh().vertexCount());
+  Points3 places = Points3::Zero(sites.rows(), 3);
+  places.leftCols(2) = sites;
+  OptimalTransportMapOptions options;
+  options.source = std::make_shared<const PiecewiseLinearDensity>(
+      PlanarDomain::disk(), DiskMesh(TriangleMesh(places, disk.mesh().faces())), shares.cwiseQuotient(image));
+  const OptimalTransportMapResult map = optimalTransportMap(disk, shares, options, sites);
+  EXPECT_EQ(map.status, Status::Converged);
+  return (map.image - sites).norm() / std::sqrt(disk.mesh().vertexCount());
 }
 
 double distanceFromFlat(int rings) {
@@ -115,4 +137,37 @@ TEST_F(OptimalTransportMap, RefusesWhatDoesNotBelongTogether) {
   OptimalTransportMapOptions options;
   options.domain = PlanarDomain::polygon(arrow);
   EXPECT_THROW((void)optimalTransportMap(disk, shares, options), InvalidArgument);
+}
+
+TEST_F(OptimalTransportMap, GivesEveryCellItsShareOfASourceDensity) {
+  Points2 triangle(3, 2);
+  triangle << 0, 0, 2, 0, 0.5, 1.5;
+  for (const PlanarDomain& domain : {PlanarDomain::disk(), PlanarDomain::square(), PlanarDomain::polygon(triangle)}) {
+    const TriangleMesh grid = gridMesh(20, 20, 4, 4);
+    const TriangleMesh mesh(grid.points().rowwise() - Eigen::RowVector3d(1.5, 1.5, 0), grid.faces());
+    const Eigen::VectorXd values = (2 * mesh.points().leftCols(2).rowwise().norm().array()).cos() + 1.1;
+    OptimalTransportMapOptions options;
+    options.domain = domain;
+    options.source = std::make_shared<const PiecewiseLinearDensity>(domain, DiskMesh(mesh), values);
+    const DiskMesh disk(bumpyDisk(12, 1.5));
+    const Eigen::VectorXd shares = TargetMeasure(disk.mesh()).vertices();
+    const OptimalTransportMapResult map = optimalTransportMap(disk, shares, options);
+    EXPECT_EQ(map.status, Status::Converged);
+    EXPECT_EQ(map.emptyCells, 0);
+    const int n = disk.mesh().vertexCount();
+    EXPECT_LE((map.cellMasses / options.source->total() - shares).cwiseAbs().maxCoeff() * n, 1e-9);
+    EXPECT_NEAR(map.cellAreas.sum(), domain.area(), 1e-12);
+    EXPECT_GT((map.cellAreas / domain.area() - shares).cwiseAbs().maxCoeff() * n, 0.1);
+    EXPECT_NO_THROW((void)recogniseBoundary(disk, domain, map.image));
+    options.domain = PlanarDomain::rectangle(3);
+    EXPECT_THROW((void)optimalTransportMap(disk, shares, options), InvalidArgument);
+  }
+}
+
+TEST_F(OptimalTransportMap, FromTheDensityOfItsOwnInitialMapApproachesTheIdentity) {
+  const double coarse = distanceFromOwnDensity(8), middle = distanceFromOwnDensity(16);
+  const double fine = distanceFromOwnDensity(32);
+  EXPECT_GT(coarse / middle, 2.0) << coarse << ' ' << middle;
+  EXPECT_GT(middle / fine, 2.0) << middle << ' ' << fine;
+  EXPECT_LT(fine, 0.01);
 }

@@ -198,6 +198,32 @@ class Results(unittest.TestCase):
         with self.assertRaisesRegex(authalic.InvalidArgument, "formulation must be one of"):
             authalic.flatten(ball, method="transport", domain="sphere", formulation="mercator")
 
+    def test_transport_from_a_source_density_gives_cells_their_shares_of_it(self):
+        surface = authalic.read_surface(DATA / "bumpy_disk.off")
+        plane = authalic.flatten(surface)
+        density = 1.5 + plane.image[:, 0]
+        moved = authalic.flatten(surface, method="transport", source=plane, source_density=density)
+        self.assertEqual(moved.status, "converged")
+        self.assertAlmostEqual(moved.report["source_mass"], 1.5 * np.pi, 2)
+        self.assertAlmostEqual(moved.point_arrays["CellMass"].sum(), moved.report["source_mass"], 12)
+        named = plane.with_point_arrays({"rho": density})
+        again = authalic.flatten(surface, method="transport", source=named, source_density="rho")
+        bare = authalic.flatten(surface, method="transport", source=(plane.image, plane.faces), source_density=density)
+        np.testing.assert_array_equal(again.image, moved.image)
+        np.testing.assert_array_equal(bare.image, moved.image)
+        words = {"method": "transport", "source": plane, "source_density": density}
+        for error, text, change in (
+                (authalic.InvalidArgument, "belong together", {"source": None}),
+                (authalic.InvalidArgument, "belong together", {"source_density": None}),
+                (authalic.InvalidArgument, "shape", {"source_density": density[:7]}),
+                (authalic.InvalidArgument, "positive", {"source_density": density - 2}),
+                (authalic.InvalidArgument, "uniform source", {"finish": "authalic"}),
+                (authalic.InvalidArgument, "uniform source", {"balance": 0.5}),
+                (authalic.InvalidArgument, "takes no source", {"method": "authalic"}),
+                (authalic.SurfaceError, "covers the polygon", {"domain": "square"})):
+            with self.assertRaisesRegex(error, text):
+                authalic.flatten(surface, **{**words, **change})
+
     def test_transport_fills_holes_and_the_finish_makes_them_round(self):
         tube = authalic.read_surface(DATA / "bent_tube.off")
         bare = authalic.flatten(tube, method="transport-holes", hole_share=0.25)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include <vtkBalanceCurve.h>
 #include <vtkCell.h>
@@ -24,6 +25,7 @@
 #include "Core/transport/OptimalTransportMap.h"
 #include "Core/transport/PolyAnnulusTransportMap.h"
 #include "Core/transport/SphericalTransportMap.h"
+#include "FieldArrays.h"
 #include "support/HoledMeshes.h"
 #include "support/TestMeshes.h"
 #include "support/VtkWords.h"
@@ -32,6 +34,7 @@ namespace {
 
 using namespace authalic;
 using authalic::testing::bumpyDisk;
+using authalic::testing::diskMesh;
 using authalic::testing::holedDisk;
 using authalic::testing::sphereMesh;
 using authalic::testing::VtkWords;
@@ -104,6 +107,61 @@ TEST_F(TransportFilters, RemoveFoldsAndErrorsOfFacesWhenAskedTo) {
   EXPECT_LT(filter->GetTotalAreaDistortion(), 2.0002);
   EXPECT_EQ(field(filter->GetOutput(), "DisplacementCost"), moved);
   EXPECT_GT(field(filter->GetOutput(), "FinishedCost"), moved);
+}
+
+TEST_F(TransportFilters, TakeASourceDensityFromAMeshWithAPointArray) {
+  const DiskMesh disk(bumpyDisk(10)), plane(diskMesh(7));
+  const Eigen::VectorXd density = plane.mesh().points().col(0).array() + 1.5;
+  OptimalTransportMapOptions options;
+  options.source = std::make_shared<const PiecewiseLinearDensity>(options.domain, plane, density);
+  const OptimalTransportMapResult core = optimalTransportMap(disk, TargetMeasure(disk.mesh()).vertices(), options);
+  const vtkSmartPointer<vtkPolyData> mesh = polyData(plane.mesh());
+  addArray(mesh->GetPointData(), "Density", density);
+  vtkNew<vtkOptimalTransportMap> filter;
+  filter->SetInputData(0, polyData(disk.mesh()));
+  filter->SetInputData(2, mesh);
+  filter->SetSourceDensityArrayName("Density");
+  filter->Update();
+  vtkPolyData* map = filter->GetOutput(0);
+  EXPECT_EQ(filter->GetStatus(), "converged");
+  EXPECT_EQ(toPlanarPoints(map), core.image);
+  EXPECT_EQ(field(map, "TransportCost"), core.transportCost);
+  EXPECT_NEAR(field(map, "SourceMass"), 1.5 * M_PI, 1e-13);
+  EXPECT_EQ(toVector(map->GetPointData()->GetArray("CellMass")), core.cellMasses);
+  EXPECT_EQ(toVector(map->GetPointData()->GetArray("CellArea")), core.cellAreas);
+  EXPECT_EQ(toVector(filter->GetOutput(1)->GetCellData()->GetArray("Mass")), core.cellMasses);
+  EXPECT_NE(filter->GetReport().find("\"source_density\": \"Density\""), std::string::npos);
+}
+
+TEST_F(TransportFilters, RefuseSourceDensitiesThatCannotBe) {
+  const vtkSmartPointer<vtkPolyData> mesh = polyData(diskMesh(7)), closed = polyData(sphereMesh(2));
+  addArray(mesh->GetPointData(), "Density", Eigen::VectorXd::Ones(mesh->GetNumberOfPoints()).eval());
+  addArray(mesh->GetPointData(), "Zero", Eigen::VectorXd::Zero(mesh->GetNumberOfPoints()).eval());
+  addArray(closed->GetPointData(), "Density", Eigen::VectorXd::Ones(closed->GetNumberOfPoints()).eval());
+  vtkNew<vtkOptimalTransportMap> filter;
+  filter->SetInputData(0, polyData(bumpyDisk(6)));
+  const VtkWords words(filter);
+  const auto kindWith = [&](vtkPolyData* source, const char* array) {
+    filter->SetInputData(2, source);
+    filter->SetSourceDensityArrayName(array);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints() == 0, filter->GetErrorKind() != 0);
+    return filter->GetErrorKind();
+  };
+  EXPECT_EQ(kindWith(mesh, ""), vtkOptimalTransportMap::ARGUMENT);
+  EXPECT_EQ(kindWith(nullptr, "Density"), vtkOptimalTransportMap::ARGUMENT);
+  EXPECT_EQ(kindWith(mesh, "Other"), vtkOptimalTransportMap::ARGUMENT);
+  EXPECT_EQ(kindWith(mesh, "Zero"), vtkOptimalTransportMap::ARGUMENT);
+  EXPECT_EQ(kindWith(closed, "Density"), vtkOptimalTransportMap::SURFACE);
+  EXPECT_EQ(kindWith(mesh, "Density"), vtkOptimalTransportMap::NONE);
+  filter->SetDomainToSquare();
+  EXPECT_EQ(kindWith(mesh, "Density"), vtkOptimalTransportMap::SURFACE);
+  filter->SetDomainToDisk();
+  filter->SetFinishToAuthalic();
+  EXPECT_EQ(kindWith(mesh, "Density"), vtkOptimalTransportMap::ARGUMENT);
+  filter->SetFinishToNone();
+  filter->SetBalance(0.5);
+  EXPECT_EQ(kindWith(mesh, "Density"), vtkOptimalTransportMap::ARGUMENT);
 }
 
 TEST_F(TransportFilters, TakeTheirSitesFromAGivenMapOrTheRiemannMap) {

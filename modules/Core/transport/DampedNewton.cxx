@@ -26,7 +26,7 @@ Eigen::VectorXd checkedMasses(const Eigen::VectorXd& masses, Eigen::Index count,
   }
   const double sum = masses.sum();
   if (std::abs(sum - area) > kSumTolerance * area) {
-    throw GeometryError("Masses that sum to the area of the domain, " + std::to_string(area) +
+    throw GeometryError("Masses that sum to that of the source, " + std::to_string(area) +
                         ", are required, but their sum is " + std::to_string(sum) + "; scale them.");
   }
   return masses * (area / sum);

@@ -84,6 +84,10 @@ void OptimalTransportMapOptions::validate() const {
     throw InvalidArgument("A convex domain is required for transport, but the polygon of " +
                           std::to_string(domain.corners().rows()) + " corners is not convex.");
   }
+  const bool apart = source && (source->domain().corners().rows() != domain.corners().rows() ||
+                                source->domain().corners() != domain.corners());
+  if (!apart) return;
+  throw InvalidArgument("A source density on the domain of the map is required, but it was made for another domain.");
 }
 
 double displacementCost(const Eigen::VectorXd& masses, const Points2& sites, const Points2& places) {
@@ -112,16 +116,18 @@ OptimalTransportMapResult optimalTransportMap(const DiskMesh& disk, const Eigen:
   }
   requireDistinctImages(result.sites);
   result.startSeconds = secondsSince(begun);
-  PowerDiagram diagram(result.sites, options.domain);
-  result.masses = options.domain.area() * shares;
+  PowerDiagram diagram = options.source ? PowerDiagram(result.sites, options.source)
+                                        : PowerDiagram(result.sites, options.domain);
+  result.masses = diagram.total() * shares;
   const bool usable = start.size() > 0 && diagram.computeUnlessHidden(start, execution) &&
-                      diagram.cells().areas.minCoeff() > 0;
+                      diagram.cells().masses.minCoeff() > 0;
   static_cast<TransportSolution&>(result) =
       semiDiscreteTransport(diagram, result.masses, options, usable ? start : Heights(), execution.part(0.1, 0.95));
   const PowerCells& cells = diagram.cells();
   result.image = cells.centroids;
   putBoundaryBack(boundary, options.domain, result.image);
   result.cellAreas = cells.areas;
+  result.cellMasses = cells.masses;
   result.emptyCells = cells.emptyCells;
   result.transportCost = cells.costs.sum();
   result.potential = potentialAt(result.image, result.sites, result.heights);

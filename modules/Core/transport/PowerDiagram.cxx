@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "Core/base/Error.h"
 #include "Core/transport/ConvexRegion.h"
+#include "Core/transport/DensityIntegrals.h"
 #include "Core/transport/DistinctSites.h"
 #include "Core/transport/RegularFlips.h"
 #include "Core/transport/RegularTriangulation.h"
@@ -21,6 +23,7 @@ struct Chord {
   Eigen::Vector2d start, end;
   bool startsInside, endsInside;  // at a corner of the diagram, not on the boundary of the domain
   int neighbour;
+  std::size_t side = 0;  // of the outline
 };
 
 }  // namespace
@@ -98,12 +101,12 @@ bool PowerDiagram::Walk::update(const Heights& newHeights, bool unlessHidden, co
 bool PowerDiagram::Walk::chordBetween(int i, int j, int before, int after, Chord& chord) const {
   const bool startsInside = before >= 0 && inside[at(before)], endsInside = after >= 0 && inside[at(after)];
   if (startsInside && endsInside) {
-    chord = {corners[at(before)], corners[at(after)], true, true, j};
+    chord = {corners[at(before)], corners[at(after)], true, true, j, 0};
     return true;
   }
   if (i > j) {  // the same bits from both sides
     if (!chordBetween(j, i, after, before, chord)) return false;
-    chord = {chord.end, chord.start, chord.endsInside, chord.startsInside, j};
+    chord = {chord.end, chord.start, chord.endsInside, chord.startsInside, j, 0};
     return true;
   }
   const Eigen::Vector2d normal = (sites.row(j) - sites.row(i)).transpose();
@@ -116,7 +119,7 @@ bool PowerDiagram::Walk::chordBetween(int i, int j, int before, int after, Chord
     const std::array<int, 3>& corner = dual.corners[at(face)];
     return corner[0] >= 0 && corner[1] >= 0 && corner[2] >= 0;
   };
-  chord = {foot + part.low * direction, foot + part.high * direction, startsInside, endsInside, j};
+  chord = {foot + part.low * direction, foot + part.high * direction, startsInside, endsInside, j, 0};
   if (startsInside) chord.start = corners[at(before)];
   if (endsInside) chord.end = corners[at(after)];
   if (startsInside || endsInside) {
@@ -156,6 +159,7 @@ void PowerDiagram::Walk::outlineOf(int site, std::vector<Chord>& chords, CellOut
   chordsOf(site, chords);
   for (std::size_t k = 0; k < chords.size(); ++k) {
     const Chord& next = chords[(k + 1) % chords.size()];
+    chords[k].side = outline.corners.size();
     outline.add(chords[k].start);
     if (!chords[k].endsInside || !next.startsInside) {
       region.addBoundary(chords[k].end, next.start, chords.size() == 1, outline);
@@ -167,6 +171,11 @@ void PowerDiagram::Walk::outlineOf(int site, std::vector<Chord>& chords, CellOut
 PowerDiagram::PowerDiagram(Points2 sites, const PlanarDomain& domain) : domain_(domain) {
   requireDistinctSites(sites);
   walk_ = std::make_unique<Walk>(std::move(sites), domain);
+}
+
+PowerDiagram::PowerDiagram(Points2 sites, std::shared_ptr<const PiecewiseLinearDensity> source)
+    : PowerDiagram(std::move(sites), source->domain()) {
+  source_ = std::move(source);
 }
 
 PowerDiagram::~PowerDiagram() = default;
@@ -185,37 +194,48 @@ bool PowerDiagram::computeUnlessHidden(const Heights& heights, const Execution& 
 }
 
 bool PowerDiagram::update(const Heights& heights, bool unlessHidden, const Execution& execution) {
-  const Points2& y = sites();
-  const Eigen::Index n = y.rows();
+  const Eigen::Index n = sites().rows();
   if (heights.size() != n || !heights.allFinite()) {
     throw GeometryError("One finite height per site (" + std::to_string(n) + ") is required, but there are " +
                         std::to_string(heights.size()) + (heights.allFinite() ? "." : ", not all of them finite."));
   }
   if (!walk_->update(heights, unlessHidden, execution)) return false;
-  cells_.areas.resize(n), cells_.costs.resize(n), cells_.centroids.resize(n, 2);
+  cells_.areas.resize(n), cells_.masses.resize(n), cells_.costs.resize(n), cells_.centroids.resize(n, 2);
   std::vector<std::vector<PowerEdge>> found(at(static_cast<int>((n + 1023) / 1024)));
   parallelFor(found.size(), execution, [&](std::size_t begin, std::size_t end) {
-    std::vector<Chord> chords;
-    CellOutline outline;
+    std::optional<DensityIntegrals> density;
+    if (source_) density.emplace(*source_);
     for (std::size_t block = begin; block < end; ++block) {
       const int last = std::min(static_cast<int>(n), static_cast<int>(block + 1) * 1024);
-      for (int i = static_cast<int>(block) * 1024; i < last; ++i) {
-        walk_->outlineOf(i, chords, outline);
-        const CellMoments moments = momentsOf(outline, y.row(i));
-        cells_.areas[i] = moments.area;
-        cells_.costs[i] = moments.cost;
-        cells_.centroids.row(i) = moments.area > 0 ? Eigen::RowVector2d(moments.first / moments.area) : y.row(i);
-        for (const Chord& chord : chords) {
-          const double length = (chord.end - chord.start).norm();
-          if (chord.neighbour > i && length > 0) found[block].push_back({i, chord.neighbour, length});
-        }
-      }
+      measure(static_cast<int>(block) * 1024, last, density ? &*density : nullptr, found[block]);
     }
   }, 1);
   cells_.edges.clear();
   for (const auto& edges : found) cells_.edges.insert(cells_.edges.end(), edges.begin(), edges.end());
-  cells_.emptyCells = static_cast<int>((cells_.areas.array() <= 0).count());
+  cells_.emptyCells = static_cast<int>((cells_.masses.array() <= 0).count());
   return true;
+}
+
+// Cells begin … end − 1, and their sides with cells of larger numbers.
+void PowerDiagram::measure(int begin, int end, DensityIntegrals* density, std::vector<PowerEdge>& edges) {
+  const Points2& y = sites();
+  std::vector<Chord> chords;
+  CellOutline outline;
+  for (int i = begin; i < end; ++i) {
+    walk_->outlineOf(i, chords, outline);
+    CellMoments moments = momentsOf(outline, y.row(i));
+    cells_.areas[i] = moments.area;
+    if (density && moments.area > 0) moments = density->over(outline, moments.first / moments.area, y.row(i));
+    else if (density) chords.clear();
+    cells_.masses[i] = moments.area;
+    cells_.costs[i] = moments.cost;
+    cells_.centroids.row(i) = moments.area > 0 ? Eigen::RowVector2d(moments.first / moments.area) : y.row(i);
+    for (const Chord& chord : chords) {
+      const double length = (chord.end - chord.start).norm();
+      if (!(chord.neighbour > i && length > 0)) continue;
+      edges.push_back({i, chord.neighbour, length, density ? density->sides()[chord.side] : length});
+    }
+  }
 }
 
 CellPolygons PowerDiagram::polygons(double arcStep) const {

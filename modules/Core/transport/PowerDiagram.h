@@ -10,8 +10,11 @@
 #include "Core/base/Arrays.h"
 #include "Core/base/Execution.h"
 #include "Core/geometry/PlanarDomain.h"
+#include "Core/transport/PiecewiseLinearDensity.h"
 
 namespace authalic {
+
+class DensityIntegrals;
 
 /// One height per site. Extended precision: where sites crowd at distances d, a height that is off by ε moves sides
 /// of cells by ε / d.
@@ -21,13 +24,15 @@ using Heights = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 struct PowerEdge {
   int first, second;  ///< sites, first < second
   double length;      ///< of their common side inside the domain, > 0
+  double mass;        ///< ∫ ρ ds over it; the length when the source is uniform
 };
 
 /// The cells of one set of heights.
 struct PowerCells {
-  Eigen::VectorXd areas;  ///< n; sum to the area of the domain
-  Points2 centroids;      ///< n×2; the site itself where the cell is empty
-  Eigen::VectorXd costs;  ///< n; ∫ |x − y_i|² over the cell
+  Eigen::VectorXd areas;   ///< n; sum to the area of the domain
+  Eigen::VectorXd masses;  ///< n; ∫ ρ over the cell: its area when the source is uniform
+  Points2 centroids;       ///< n×2; of ρ over the cell; the site itself where the cell is empty
+  Eigen::VectorXd costs;   ///< n; ∫ |x − y_i|² ρ over the cell
   std::vector<PowerEdge> edges;
   int emptyCells = 0;
 };
@@ -44,8 +49,11 @@ struct CellPolygons {
 ///
 /// Arcs of the disk are exact (Green's theorem), and every cell corner is computed once for all its cells: areas sum
 /// to that of Ω up to rounding. Cells without any point are allowed and counted.
+///
+/// Masses, centroids and costs are those of the uniform measure, ρ = 1, or of a piecewise linear density ρ: cells are
+/// cut along its triangles, and every part has a closed form. Masses sum to ∫ ρ up to rounding.
 /// Complexity: O(n log n) for the first triangulation (exact predicates, one thread), O(n + flips) for later ones of
-/// similar heights, O(n) for the cells (all threads).
+/// similar heights, O(n) for the cells (all threads), and the number of pairs of a cell and a triangle of ρ that meet.
 class PowerDiagram {
  public:
   /// @param sites   n×2, n ≥ 1, anywhere in the plane, no two in one place
@@ -53,6 +61,8 @@ class PowerDiagram {
   /// @throws GeometryError when there is no site, one is not finite or two coincide (they are named)
   /// @throws InvalidArgument when the domain is not convex, or this build has no CGAL
   PowerDiagram(Points2 sites, const PlanarDomain& domain);
+  /// The same of a density, not null, on its domain.
+  PowerDiagram(Points2 sites, std::shared_ptr<const PiecewiseLinearDensity> source);
   ~PowerDiagram();
   PowerDiagram(PowerDiagram&&) noexcept;
   PowerDiagram& operator=(PowerDiagram&&) noexcept;
@@ -77,6 +87,8 @@ class PowerDiagram {
 
   [[nodiscard]] const Points2& sites() const noexcept;
   [[nodiscard]] const PlanarDomain& domain() const noexcept { return domain_; }
+  /// ∫ ρ over the domain; its area when the source is uniform.
+  [[nodiscard]] double total() const { return source_ ? source_->total() : domain_.area(); }
 
   /// Whether this build can make power diagrams.
   [[nodiscard]] static bool available() noexcept;
@@ -84,9 +96,12 @@ class PowerDiagram {
  private:
   bool update(const Heights& heights, bool unlessHidden, const Execution& execution);
 
+  void measure(int begin, int end, DensityIntegrals* density, std::vector<PowerEdge>& edges);
+
   struct Walk;
   std::unique_ptr<Walk> walk_;
   PlanarDomain domain_;
+  std::shared_ptr<const PiecewiseLinearDensity> source_;  // none: uniform
   PowerCells cells_;
 };
 

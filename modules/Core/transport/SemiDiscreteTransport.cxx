@@ -17,11 +17,11 @@ class PlanarCells final : public TransportCells {
  public:
   PlanarCells(PowerDiagram& diagram, const Execution& execution) : diagram_(diagram), execution_(execution) {}
   bool compute(const Heights& heights) override { return diagram_.computeUnlessHidden(heights, execution_); }
-  const Eigen::VectorXd& areas() const override { return diagram_.cells().areas; }
+  const Eigen::VectorXd& areas() const override { return diagram_.cells().masses; }
   void derivatives(std::vector<Eigen::Triplet<double>>& entries) const override {
     const Points2& y = diagram_.sites();
     for (const PowerEdge& edge : diagram_.cells().edges) {
-      entries.emplace_back(edge.second, edge.first, edge.length / (y.row(edge.first) - y.row(edge.second)).norm());
+      entries.emplace_back(edge.second, edge.first, edge.mass / (y.row(edge.first) - y.row(edge.second)).norm());
     }
   }
 
@@ -72,7 +72,7 @@ TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::Vect
                                         const SemiDiscreteTransportOptions& options, const Heights& start,
                                         const Execution& execution) {
   PlanarCells cells(diagram, execution);
-  return dampedNewton(cells, diagram.sites().rows(), masses, diagram.domain().area(), options,
+  return dampedNewton(cells, diagram.sites().rows(), masses, diagram.total(), options,
                       start.size() > 0 ? start : startHeights(diagram.sites(), diagram.domain()), execution);
 }
 

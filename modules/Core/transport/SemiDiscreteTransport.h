@@ -1,5 +1,5 @@
 /// @file
-/// Optimal transport of the uniform measure of a planar domain to point masses.
+/// Optimal transport of a measure of a planar domain, uniform or of a piecewise linear density, to point masses.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,24 +38,24 @@ struct TransportSolution {
   std::vector<TransportIteration> history;
 };
 
-/// Heights h such that the cell of site i has the area ν_i: the map x ↦ y_i on W_i then has the least transport cost
-/// Σ_i ∫_{W_i} |x − y_i|² of all maps of that measure @cite gu2016.
+/// Heights h such that the cell of site i has the mass ν_i = ∫_{W_i} ρ, its area when the source is uniform: the map
+/// x ↦ y_i on W_i then has the least transport cost Σ_i ∫_{W_i} |x − y_i|² ρ of all maps of that measure @cite gu2016.
 ///
-/// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
-/// ∂w_i/∂h_j = −|e_ij| / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a step
-/// α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν), |w − ν|₂ falls to (1 − α/2)
-/// of itself and |w − ν|∞ does not grow, else halved; the next one tried is four times longer, 1 at most. The error
-/// after a step α is (1 − α)(w − ν) + O(α²) in any norm, so that short steps always pass: converges from every
-/// start without empty cells, at the end quadratically.
+/// Minimises the convex E(h) = ∫ max_i (⟨x, y_i⟩ + h_i) ρ dx − Σ ν_i h_i by Newton's method: ∇E = w − ν,
+/// ∂w_i/∂h_j = −∫_{e_ij} ρ ds / |y_i − y_j|, H δ = ν − w with the mean of δ fixed; damped as in @cite kitagawa2019: a
+/// step α is taken when every cell keeps ε₀ = ½ min(smallest cell at the start, smallest ν), |w − ν|₂ falls to
+/// (1 − α/2) of itself and |w − ν|∞ does not grow, else halved; the next one tried is four times longer, 1 at most.
+/// The error after a step α is (1 − α)(w − ν) + O(α²) in any norm, so that short steps always pass: converges from
+/// every start without empty cells, at the end quadratically.
 ///
-/// @param diagram  its sites and domain; holds the cells of the result afterwards
-/// @param masses   ν, n, > 0, with the sum of the domain's area (to 1e-6; scaled to it exactly)
+/// @param diagram  its sites, domain and source; holds the cells of the result afterwards
+/// @param masses   ν, n, > 0, with the sum diagram.total() (to 1e-6; scaled to it exactly)
 /// @param start    n heights without empty cells, or empty for startHeights
 /// Guarantees: no cell of any iterate is empty; the 2-norm of the error falls and its largest entry, the residual
 /// of the history, does not grow at any step; when not converged, the best iterate with its residual.
 /// Complexity: a power diagram and a sparse factorisation of size n per step, O(n^1.5).
 /// @throws InvalidArgument from options; GeometryError when a mass is not positive or their sum differs from the
-///         area, or the start has empty cells; SolverError when a system cannot be factorised
+///         total, or the start has empty cells; SolverError when a system cannot be factorised
 [[nodiscard]] TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::VectorXd& masses,
                                                       const SemiDiscreteTransportOptions& options = {},
                                                       const Heights& start = {},

@@ -115,7 +115,7 @@ class SurfaceMap(Surface):
 def methods() -> dict[str, dict[str, Any]]:
     """{method: {option: default}} of every method of flatten(); options with a few words show one of them."""
     hidden = ("domain", "aspect", "measure_array_name", "balance", "balance_array_name", "initial_method",
-              "output_mode")
+              "output_mode", "source_density_array_name")
     return {name: {key: value for key, value in _filters.options_of(method.make()).items()
                    if key not in hidden and key not in method.settings} for name, method in METHODS.items()}
 
@@ -123,16 +123,12 @@ def methods() -> dict[str, dict[str, Any]]:
 def flatten(points: Any,
             faces: Any = None,
             method: str = "authalic",
-            domain: Any = None,
-            measure: Any = None,
-            initial: Any = None,
-            tolerance: Optional[float] = None,
-            max_iterations: Optional[int] = None,
+            domain: Any = None, measure: Any = None, initial: Any = None,
+            tolerance: Optional[float] = None, max_iterations: Optional[int] = None,
             *,
             roi: Any = None, roi_blend: float = 0.0, balance: Any = None,
-            hole_areas: Any = None, threads: int = 0,
-            progress: Progress = None,
-            on_not_converged: str = "warn",
+            hole_areas: Any = None, source: Any = None, source_density: Any = None, threads: int = 0,
+            progress: Progress = None, on_not_converged: str = "warn",
             **options: Any) -> SurfaceMap:
     """Maps a surface; every vertex gets a place in the domain.
 
@@ -165,10 +161,12 @@ def flatten(points: Any,
                 number, one per vertex (n), or the name of a point array
     initial     where an iteration starts: a barycentric method by name (or "riemann"), or an image (n, 2) or SurfaceMap
                 to the same domain; for "sphere" the road: "harmonic", "stereographic", "mean-curvature-flow", "welding"
-    tolerance   residual at which an iteration is done; None = the default of the method
-    max_iterations  None = the default of the method
+    tolerance, max_iterations  residual at which an iteration is done, and most steps; None = the method's default
     hole_areas  of "authalic-holes", "transport-holes", "lie-flow-holes": area of every hole but the outer loop, mm^2,
                 in the order of the loops' smallest vertex ids; None = of the cones that close them
+    source      of "transport" in the plane: a planar mesh that covers the domain, (points, faces), Surface, SurfaceMap
+                (its image) or vtkPolyData; None = uniform. Not with a finish or a balance. source_density is its
+                density > 0, linear in every triangle: one number per vertex, or the name of a point array
     threads     0 = every core; the result does not depend on it
     progress    progress(fraction, stage) is called often; returning False cancels
     on_not_converged  "warn" (NotConvergedWarning), "raise" (NotConverged, with the best map as .result) or "ignore"
@@ -193,6 +191,7 @@ def flatten(points: Any,
     mesh = _with_regions(algorithm, method, mesh, roi, roi_blend)
     _set_initial(algorithm, method, mesh, initial)
     _set_hole_areas(algorithm, method, hole_areas)
+    _set_source(algorithm, method, source, source_density)
     _refuse_unknown(algorithm, method, dict(options, tolerance=tolerance, max_iterations=max_iterations))
     _filters.configure(algorithm, threads=threads, tolerance=tolerance, max_iterations=max_iterations, **options)
     algorithm.SetInputData(0, mesh)
@@ -332,6 +331,23 @@ def _set_hole_areas(algorithm, method, hole_areas):
         raise InvalidArgument(f"Method {method} takes no hole_areas; leave them out.")
     for area in _arrays.numbers(hole_areas, "hole_areas", (None,)):
         algorithm.AddHoleArea(area)
+
+
+def _set_source(algorithm, method, source, density):
+    if source is None and density is None:
+        return
+    if not hasattr(algorithm, "SetSourceDensityArrayName"):
+        raise InvalidArgument(f"Method {method} takes no source; it is for transport to the plane.")
+    if source is None or density is None:
+        missing, given = ("source", "source_density") if source is None else ("source_density", "source")
+        raise InvalidArgument(f"source and source_density belong together; {given} was given without {missing}.")
+    mesh = to_polydata(*source) if isinstance(source, tuple) else to_polydata(source)
+    if not isinstance(density, str):
+        values = _arrays.numbers(density, "source_density", (mesh.GetNumberOfPoints(),))
+        _arrays.add_arrays(mesh.GetPointData(), {"SourceDensity": values}, len(values), "vertices")
+        density = "SourceDensity"
+    algorithm.SetInputData(2, mesh)
+    algorithm.SetSourceDensityArrayName(density)
 
 
 def _set_initial(algorithm, method, mesh, initial):
