@@ -28,8 +28,8 @@ struct FlatConeAuthalicMapResult : AuthalicSolution {
 /// no seam breaks. The turns are those of a conformal flat metric and stay; translations and cones are unknowns of
 /// every face step. The start is the conformal layout, freed of folds (foldoverFree() in authalic/) and of faces that
 /// are much too small, in patches that may lie across seams and around cones; before the face steps, cones and
-/// translations are fitted to the areas (HolonomyFit in authalic/). Faces that do not reach their targets while shapes are kept have
-/// a second half of the iterations with areas alone.
+/// translations are fitted to the areas (HolonomyFit in authalic/). Faces that do not reach their targets while shapes
+/// are kept have a second half of the iterations with areas alone.
 ///
 /// Guarantees: the sides of every seam differ by one rigid motion, to rounding, whatever the status; around every
 /// vertex but the cones the unfolded star is that of a plane (no face folded, angles of sum 2π): the map is locally

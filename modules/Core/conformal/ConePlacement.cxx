@@ -122,7 +122,8 @@ std::vector<Cone> placeCones(const HighGenusMesh& surface, SolverBackend backend
   // A finger asks for several pairs before it is even: some ahead are tried before the last worthwhile one is it.
   double wanted = placement.unevenness();
   std::size_t worthwhile = placement.cones.size();
-  for (int pair = 0, ahead = 0; pair < kMostPairs && ahead < kAhead && placement.unevenness() > kEven; ++pair, ++ahead) {
+  int ahead = 0;
+  for (int pair = 0; pair < kMostPairs && ahead < kAhead && placement.unevenness() > kEven; ++pair, ++ahead) {
     placement.add(1);
     placement.add(-1);
     wanted *= kWorthAPair;
