@@ -129,8 +129,10 @@ bool BisectedFactor::analyze(const SparseMatrix& lower) {
       static_cast<double>(separator_.size()) > kSmallSeparator * static_cast<double>(lower.rows())) {
     return false;
   }
-  for (std::size_t h = 0; h < 2; ++h) halves_[h].order(lower, members[h]);
-  onBoth([&](std::size_t h) { halves_[h].analyze(lower, separator_); });
+  onBoth([&](std::size_t h) {
+    halves_[h].order(lower, members[h]);
+    halves_[h].analyze(lower, separator_);
+  });
   const std::vector<int> number = numbersOf(separator_, lower.rows());
   kept_ = patternAmong(number, static_cast<int>(separator_.size()), 0, lower);
   keptPlaces_.resize(static_cast<std::size_t>(kept_.nonZeros()));

@@ -15,7 +15,7 @@ namespace authalic {
 ///     [K_II K_IS; K_SI K_SS] = L Lᵀ,   L = [L_II 0; L_SI C],   C Cᵀ = K_SS − K_SI K_II⁻¹ K_IS.
 class BisectedHalf {
  public:
-  /// Orders the side's own unknowns. Not for two threads at once, see CholmodFactor::dissect.
+  /// Orders the side's own unknowns.
   void order(const SparseMatrix& lower, const std::vector<int>& own);
   /// Analyses the half, its separator last.
   void analyze(const SparseMatrix& lower, const std::vector<int>& separator);

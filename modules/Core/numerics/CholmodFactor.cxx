@@ -41,6 +41,9 @@ constexpr std::array<std::size_t, 3> kMerged{8, 32, 96};
 std::mutex blasSetting;
 int blasUsers = 0, blasThreads = 1;
 
+// METIS draws from the one random sequence of the C library, which it starts anew at every call.
+std::mutex metisSequence;
+
 // CHOLMOD's C structures do not know const; it reads the matrix only.
 cholmod_sparse viewOf(const SparseMatrix& lower) {
   cholmod_sparse view{};
@@ -133,6 +136,8 @@ CholmodFactor::~CholmodFactor() = default;
 void CholmodFactor::analyze(const SparseMatrix& lower) {
   cholmod_free_factor(&state_->factor, &state_->common);
   cholmod_sparse view = viewOf(lower);
+  std::unique_lock<std::mutex> lock(metisSequence, std::defer_lock);
+  if (state_->common.method[0].ordering == CHOLMOD_METIS) lock.lock();
   state_->factor = cholmod_analyze(&view, &state_->common);
   if (!state_->factor) throw SolverError("A matrix that fits into memory is required, but its analysis failed.");
 }
@@ -176,6 +181,7 @@ Eigen::MatrixXd CholmodFactor::lastBlock(Eigen::Index count) const {
 std::vector<int> CholmodFactor::dissect(const SparseMatrix& lower) {
   std::vector<int> order(static_cast<std::size_t>(lower.rows()));
   cholmod_sparse view = viewOf(lower);
+  const std::lock_guard<std::mutex> lock(metisSequence);
   if (!cholmod_metis(&view, nullptr, 0, 1, order.data(), &state_->common)) {
     throw SolverError("A matrix that fits into memory is required, but its dissection failed.");
   }
@@ -185,6 +191,7 @@ std::vector<int> CholmodFactor::dissect(const SparseMatrix& lower) {
 std::vector<int> CholmodFactor::bisect(const SparseMatrix& lower) {
   std::vector<int> part(static_cast<std::size_t>(lower.rows()));
   cholmod_sparse view = viewOf(lower);
+  const std::lock_guard<std::mutex> lock(metisSequence);
   if (cholmod_bisect(&view, nullptr, 0, 1, part.data(), &state_->common) < 0) part.clear();
   return part;
 }

@@ -49,11 +49,10 @@ class CholmodFactor {
   /// The last rows and columns of L (lower triangle; zero above).
   [[nodiscard]] Eigen::MatrixXd lastBlock(Eigen::Index count) const;
 
-  /// A nested dissection of the rows: row numbers in their new order. Not for two threads at once, as METIS draws from
-  /// the one random sequence of the process.
+  /// A nested dissection of the rows: row numbers in their new order.
   [[nodiscard]] std::vector<int> dissect(const SparseMatrix& lower);
   /// 0 or 1 for the rows of two halves that no entry joins, 2 for those of the separator between; empty when none was
-  /// found. Not for two threads at once.
+  /// found.
   [[nodiscard]] std::vector<int> bisect(const SparseMatrix& lower);
 
  private:
