@@ -73,6 +73,8 @@ class AreaFunctional {
                                            const Eigen::VectorXd& part) const;
   /// The image with vertices where their areas are right that derivatives do not lead there; by default the image.
   [[nodiscard]] virtual Coordinates eased(Coordinates image) const { return image; }
+  /// Whether face steps look at the stars of vertices with one freedom, see BoundaryStars; not with joint moves.
+  [[nodiscard]] virtual bool looksAtBoundaryStars() const { return true; }
   /// Ears whose tips have a freedom of their own, as the ends of their bases have; by default none.
   [[nodiscard]] virtual const std::vector<EarOnCircle>& slidingEars() const;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;

@@ -50,6 +50,8 @@ class CircleDomainAreas final : public AreaFunctional {
 
   /// Centres one by one, and radii: the moves of circles with freedoms.
   [[nodiscard]] std::vector<Coordinates> jointMoves(const Coordinates& image) const override;
+  /// With circles held, faces do not arrive in fewer steps for it.
+  [[nodiscard]] bool looksAtBoundaryStars() const override { return false; }
   /// A circle moves by the smallest part of its vertices.
   [[nodiscard]] Coordinates slowed(const Coordinates& image, const Coordinates& displacement,
                                    const Eigen::VectorXd& part) const override;

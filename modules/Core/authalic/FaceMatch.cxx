@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "Core/base/Error.h"
 
@@ -28,13 +29,17 @@ struct Pull {
 
 constexpr Pull kNoPull{0, 1, 0}, kShortPull{0.01, 0.35, 1}, kLongPull{0.1, 0.5, 8};
 
-ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
+// One element per face, then one per star.
+std::shared_ptr<AssembledSystem> systemOf(const AreaFunctional& areas, const BoundaryStars& stars,
+                                          SolverBackend backend, AnalysedSystems& systems) {
   const Faces& faces = areas.faces();
-  ElementAssembly::Unknowns elements(faces.rows(), 6);
+  std::vector<int> starts{0}, unknowns;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    for (int k = 0; k < 6; ++k) elements(f, k) = areas.unknown(faces(f, k / 2), k % 2);
+    for (int k = 0; k < 6; ++k) unknowns.push_back(areas.unknown(faces(f, k / 2), k % 2));
+    starts.push_back(static_cast<int>(unknowns.size()));
   }
-  return elements;
+  stars.appendElements(starts, unknowns);
+  return systems.of(areas.unknownCount(), std::move(starts), std::move(unknowns), backend, PatternUse::Reused);
 }
 
 }  // namespace
@@ -47,8 +52,9 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
       workers_({}, {}, systems.threads()),
       importance_(shapes == Shapes::Free ? Eigen::VectorXd::Ones(targets.size()) : faceImportance(targets)),
       shape_(areas, cotangents, importance_),
-      system_(systems.of(areas.unknownCount(), elementUnknowns(areas), backend, PatternUse::Reused)),
-      values_(static_cast<std::size_t>(21 * areas.faces().rows())) {
+      stars_(areas, targets, importance_),
+      system_(systemOf(areas, stars_, backend, systems)),
+      values_(static_cast<std::size_t>(21 * areas.faces().rows()) + stars_.valueCount()) {
   stiffness_ = Eigen::VectorXd::Ones(areas.faces().rows());
   const Pull& pull = shapes == Shapes::Free ? kNoPull : shapes == Shapes::First ? kLongPull : kShortPull;
   pull_ = pull.first;
@@ -78,8 +84,9 @@ Eigen::ArrayXd FaceMatch::faceErrors(const Eigen::VectorXd& areas) const {
 
 double FaceMatch::objective(const Coordinates& image) const {
   const Eigen::VectorXd a = areas_.areas(image);
-  const double areaPart = 0.5 * a.sum() * (importance_.array() * faceErrors(a)).sum();
-  return std::isfinite(areaPart) ? areaPart + pull_ * shape_.value(image) : areaPart;
+  const double ofFaces = (importance_.array() * faceErrors(a)).sum();
+  if (!std::isfinite(ofFaces)) return ofFaces;
+  return 0.5 * a.sum() * (ofFaces + stars_.value(a)) + pull_ * shape_.value(image);
 }
 
 double FaceMatch::residual(const Coordinates& image) const {
@@ -98,13 +105,15 @@ void FaceMatch::linearise(const Coordinates& image) {
   const double total = a.sum();
   const Eigen::ArrayXd ratio = (a.array() / (total * targets_.array())).max(kSmallestRatio);
   weights_ = importance_.array() * (1 + ratio) / (2 * ratio.square() * targets_.array() * total);
+  pulls_ = weights_.cwiseProduct(total * targets_ - a);
+  stars_.linearise(a);
+  stars_.addPulls(pulls_);
   right_ = Eigen::VectorXd::Zero(areas_.unknownCount());
   const Faces& faces = areas_.faces();
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    const double pull = weights_[f] * (targets_[f] * total - a[f]);
     for (int k = 0; k < 6; ++k) {
       const int u = areas_.unknown(faces(f, k / 2), k % 2);
-      if (u >= 0) right_[u] += pull * gradients_(f, k);
+      if (u >= 0) right_[u] += pulls_[f] * gradients_(f, k);
     }
   }
   shape_.addDescent(image, frames_, pull_, right_);
@@ -128,6 +137,7 @@ bool FaceMatch::factorise(double damping) {
       fillElement(f, damping * stiffness_[f]);
     }
   });
+  stars_.appendValues(gradients_, &values_[static_cast<std::size_t>(21 * stiffness_.size())]);
   try {
     system_->factorize(system_->assemble(values_));
   } catch (const SolverError&) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "Core/authalic/BoundaryStars.h"
 #include "Core/authalic/ShapeEnergy.h"
 #include "Core/authalic/StarConstraint.h"
 #include "Core/base/Execution.h"
@@ -22,17 +23,17 @@ enum class Shapes {
 /// Brings F = Σ_t m_t (r_t + 1/r_t − 2) = D_area − 2 down, r = q / m, q = a / Σ a the image shares and m the targets,
 /// and of the images that are near their targets takes one with good shapes: it minimises
 ///
-///     Φ = ½ S Σ_t ω_t m_t (r_t + 1/r_t − 2) + τ E(x),   S = Σ a,
+///     Φ = ½ S [Σ_t ω_t m_t (r_t + 1/r_t − 2) + B(a)] + τ E(x),   S = Σ a,
 ///
-/// with the importance ω of faces and the Dirichlet energy E of the map, see ShapeEnergy, for τ that falls from
-/// step to step. One step solves (Levenberg–Marquardt)
+/// with the importance ω of faces and the Dirichlet energy E of the map, see ShapeEnergy, and the same sum B over the
+/// stars on a boundary, see BoundaryStars, for τ that falls from step to step. One step solves (Levenberg–Marquardt)
 ///
 ///     min_δ ½ Σ_t ω_t (a_t + ∇a_t·δ − S m_t)² / (S m_t φ_t) + τ E(x + δ) + ½ ε Σ_{edges ij} |δ_i − δ_j|²
 ///
-/// with φ_t = 2 r_t² / (1 + r_t) of the image before the step, so that the right-hand side is the exact gradient of
-/// Φ; moves by the part of δ that folds no face and lowers Φ (1/r is a barrier); and adapts ε: ×¼ after a long step,
-/// ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for their edges in
-/// the steps to come: a triangle that moves rigidly stays.
+/// and the same of B, with φ_t = 2 r_t² / (1 + r_t) of the image before the step, so that the right-hand side is the
+/// exact gradient of Φ; moves by the part of δ that folds no face and lowers Φ (1/r is a barrier); and adapts ε: ×¼
+/// after a long step, ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for
+/// their edges in the steps to come: a triangle that moves rigidly stays.
 class FaceMatch {
  public:
   /// @param targets     m shares > 0, sum 1
@@ -99,11 +100,12 @@ class FaceMatch {
   Execution workers_;  // silent
   Eigen::VectorXd importance_;
   ShapeEnergy shape_;
+  BoundaryStars stars_;
   std::shared_ptr<AssembledSystem> system_;
-  std::vector<double> values_;
+  std::vector<double> values_;  // of the elements of the faces, then of the stars
   AreaFunctional::Frames frames_;
   AreaFunctional::Gradients gradients_;
-  Eigen::VectorXd weights_, right_, stiffness_;
+  Eigen::VectorXd weights_, pulls_, right_, stiffness_;  // pulls: by area of a face, down Φ without E
   double damping_ = kFirstDamping, leastDamping_ = kUsualDamping, dampingOnStars_ = kFirstDampingOnStars;
   double pull_, leastPull_ = 1, endPull_ = 0;  // τ
   double pullFalls_;                           // factor per step

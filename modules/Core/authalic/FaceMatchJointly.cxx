@@ -41,15 +41,12 @@ Coordinates FaceMatch::answer(const AreaFunctional::Gradients& slopes, const Coo
 // −∂Φ by the place of every vertex, n×2.
 Coordinates FaceMatch::descent(const AreaFunctional::Gradients& slopes, const Coordinates& image) const {
   const Faces& faces = areas_.faces();
-  const Eigen::VectorXd a = areas_.areas(image);
-  const double total = a.sum();
   Coordinates result = Coordinates::Zero(image.rows(), 2);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
     const AreaFunctional::Corners corners = areas_.corners(image, static_cast<int>(f));
-    const double wanted = weights_[f] * (targets_[f] * total - a[f]);
     for (int k = 0; k < 3; ++k) {
       auto force = result.row(faces(f, k));
-      force += wanted * slopes.row(f).segment<2>(2 * k);
+      force += pulls_[f] * slopes.row(f).segment<2>(2 * k);
       for (int l = 0; l < 3; ++l) force -= pull_ * shape_.stiffness(f, k, l) * corners.row(l);
     }
   }
