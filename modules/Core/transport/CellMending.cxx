@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace authalic {
@@ -13,8 +14,9 @@ constexpr int kArcSides = 512;      // of the disk as a polygon
 constexpr int kMostCuts = 200;      // of one cell, beyond its neighbours
 constexpr int kMostDoublings = 40, kMostHalvings = 12;
 constexpr double kFirstStep = 0.02;
-constexpr std::size_t kMostVisits = 20;  // per cell that was too large or too small
+constexpr std::size_t kMostVisits = 5;  // per cell that was too large or too small
 constexpr double kRounding = 1e-13;
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -116,8 +118,7 @@ class Mending {
 
   // A height with about that mass, between one beyond it and the one that there is.
   [[nodiscard]] long double heightFor(int i, bool raise, double target) {
-    const double distance = (y_.row(beginOf(i)) - y_.row(i)).norm();
-    const double size = std::sqrt(masses_[i]) * (distance > 0 ? distance : std::sqrt(masses_[i]));
+    const double size = std::sqrt(masses_[i]) * (y_.row(nearestTo(i)) - y_.row(i)).norm();
     long double before = h_[i], step = (raise ? kFirstStep : -kFirstStep) * size, beyond = before + step;
     double mass = massAt(i, beyond);
     for (int k = 0; k < kMostDoublings && (mass < target) == raise; ++k) {
@@ -139,8 +140,9 @@ class Mending {
     polygon_ = outline_;
     cutters_.assign(polygon_.size(), -1);
     neighbours_.each(i, [&](int k) { cut(i, h, k); });
-    int owner = beginOf(i);
+    int owner = nearestTo(i);
     cut(i, h, owner);
+    neighbours_.each(owner, [&](int k) { cut(i, h, k); });
     for (int cuts = 0; cuts < kMostCuts && cutOneCorner(i, h, owner); ++cuts) continue;
     if (polygon_.size() < 3) return 0;
     double area = 0;
@@ -151,6 +153,20 @@ class Mending {
       middle += polygon_[k] / static_cast<double>(polygon_.size());
     }
     return area * diagram_.densityAt(middle);
+  }
+
+  // A site with a cell near site i: by a walk from one of its group.
+  [[nodiscard]] int nearestTo(int i) const {
+    const auto distance = [&](int k) { return k == i ? kFar : (y_.row(k) - y_.row(i)).squaredNorm(); };
+    int nearest = beginOf(i);
+    double least = distance(nearest);
+    for (int from = -1; from != nearest;) {
+      from = nearest;
+      neighbours_.each(from, [&](int k) {
+        if (distance(k) < least) least = distance(k), nearest = k;
+      });
+    }
+    return nearest;
   }
 
   // Cuts off a corner that belongs to another site. False when there is none.

@@ -22,12 +22,12 @@ double smallestPart(const PowerDiagram& diagram, const Eigen::VectorXd& masses) 
   return (diagram.cells().masses.array() / masses.array()).minCoeff();
 }
 
-// The part of its mass that the smallest cell has, mended as long as that is little.
+// Mends cells once, and again as long as the smallest has little of its mass: that part.
 double mend(PowerDiagram& diagram, const Eigen::VectorXd& masses, const SiteClusters& clusters, Heights& heights,
             const Execution& execution) {
   diagram.compute(heights, execution);
   double part = smallestPart(diagram, masses);
-  for (int k = 0; k < kMostMendings && part < kGoodPart && !execution.cancelled(); ++k) {
+  for (int k = 0; k < kMostMendings && (k == 0 || part < kGoodPart) && !execution.cancelled(); ++k) {
     const int count = static_cast<int>(clusters.masses.size());
     if (mendCells(diagram, masses, clusters.clusterOf, count, heights) == 0) break;
     diagram.compute(heights, execution);
