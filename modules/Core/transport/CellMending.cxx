@@ -43,7 +43,7 @@ class Neighbours {
       others_[next[at(edge.second)]++] = edge.first;
     }
   }
-  [[nodiscard]] bool any(int i) const { return start_[at(i)] < start_[at(i) + 1]; }
+  [[nodiscard]] bool any(int i) const { return start_[at(i)] < start_[at(i) + 1] || added_.count(i) > 0; }
   void join(int i, int j) { added_[i].push_back(j), added_[j].push_back(i); }
 
   template <class Visit>
@@ -101,19 +101,24 @@ class Mending {
     return begin < 0 ? anywhere_ : begin;
   }
 
+  // Whether the height of site i was changed. What its cell takes from others they must be seen to have lost.
   bool mend(int i) {
     const double mass = massAt(i, h_[i]);
-    const bool raise = mass < kTooSmall * masses_[i];
-    if (!raise && !(mass > kTooLarge * masses_[i])) return false;
-    h_[i] = heightFor(i, raise, (raise ? kRaised : kLowered) * masses_[i]);
-    (void)massAt(i, h_[i]);
-    const std::vector<int> sides(cutters_.begin(), cutters_.end());
+    const bool raise = mass < kTooSmall * masses_[i], lower = mass > kTooLarge * masses_[i];
+    const bool appeared = mass > 0 && !neighbours_.any(i);
+    if (!raise && !lower && !appeared) return false;
+    if (raise || lower) {
+      h_[i] = heightFor(i, raise, (raise ? kRaised : kLowered) * masses_[i]);
+      (void)massAt(i, h_[i]);
+    }
+    const std::vector<int> sides = cutters_;
     for (const int k : sides) {
       if (k < 0) continue;
       neighbours_.join(i, k);
-      if (raise) enqueue(k);
+      if (!lower) enqueue(k);
     }
-    return true;
+    if (lower) enqueue(i);  // hidden sites will show
+    return raise || lower;
   }
 
   // A height with about that mass, between one beyond it and the one that there is.
