@@ -37,7 +37,7 @@ def levels(report):
 
 def compare(command, surface, words, folder):
     """Both runs, and whether they are as they shall be."""
-    found = [runs.Run(command, surface, ("transport", "--start", start, *words), folder) for start in STARTS]
+    found = [runs.Run(command, surface, ("transport", *words, "--start", start), folder) for start in STARTS]
     good = all(run.report["status"] == "converged" and run.report["empty_cells"] == 0 for run in found)
     return found, good and found[1].report["iterations"] <= found[0].report["iterations"]
 
