@@ -68,6 +68,45 @@ TEST_P(EveryBackend, RefusesCallsInTheWrongOrderAndWrongSizes) {
   EXPECT_THROW(solver.analyze(SparseMatrix(2, 3)), InvalidArgument);
 }
 
+// Large enough to be solved in two halves.
+TEST_P(EveryBackend, SolvesLargeSystemsToTheSameBitsOnAnyNumberOfThreads) {
+  SparseMatrix matrix = cotangentStiffness(bumpyDisk(90));
+  ASSERT_GT(matrix.rows(), 20000);
+  for (int i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) += 1e-3;
+  const Eigen::MatrixXd expected = Eigen::MatrixXd::Random(matrix.rows(), 2);
+  const Eigen::MatrixXd b = matrix.selfadjointView<Eigen::Lower>() * expected;
+  Eigen::MatrixXd onOne;
+  for (const int threads : {1, 2, 3}) {
+    SparseSolver solver(GetParam(), PatternUse::Reused, threads);
+    solver.compute(matrix);
+    const Eigen::MatrixXd x = solver.solve(b);
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-9);
+    if (threads == 1) onOne = x;
+    EXPECT_EQ(x, onOne);
+  }
+}
+
+// Two meshes that nothing joins have no separator at all.
+TEST_P(EveryBackend, SolvesLargeSystemsInSeveralPieces) {
+  const SparseMatrix piece = cotangentStiffness(bumpyDisk(65));
+  const int size = static_cast<int>(piece.rows());
+  ASSERT_GT(2 * size, 20000);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < size; ++j) {
+    for (SparseMatrix::InnerIterator entry(piece, j); entry; ++entry) {
+      const double value = entry.value() + (entry.row() == j ? 1 : 0);
+      entries.emplace_back(entry.row(), j, value);
+      entries.emplace_back(size + entry.row(), size + j, value);
+    }
+  }
+  SparseMatrix matrix(2 * size, 2 * size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixXd expected = Eigen::MatrixXd::Random(matrix.rows(), 1);
+  SparseSolver solver(GetParam(), PatternUse::Reused, 2);
+  solver.compute(matrix);
+  EXPECT_LT((solver.solve(matrix.selfadjointView<Eigen::Lower>() * expected) - expected).cwiseAbs().maxCoeff(), 1e-11);
+}
+
 INSTANTIATE_TEST_SUITE_P(SparseSolver, EveryBackend,
                          ::testing::Values(SolverBackend::EigenLDLT, SolverBackend::EigenLLT, SolverBackend::Cholmod),
                          [](const auto& parameter) {
@@ -75,6 +114,14 @@ INSTANTIATE_TEST_SUITE_P(SparseSolver, EveryBackend,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+TEST(SparseSolver, ReportsALargeIndefiniteMatrix) {
+  SparseMatrix matrix = cotangentStiffness(bumpyDisk(90));
+  for (int i = 0; i < matrix.rows(); ++i) matrix.coeffRef(i, i) -= 1;
+  SparseSolver solver(SolverBackend::Automatic, PatternUse::Reused, 2);
+  if (solver.backend() == SolverBackend::EigenLDLT) GTEST_SKIP() << "Eigen's LDLT factorises indefinite matrices";
+  EXPECT_THROW(solver.compute(matrix), SolverError);
+}
 
 TEST(ElementAssembly, SumsSharedEntriesAndLeavesOutKnownValues) {
   ElementAssembly::Unknowns elements(2, 3);

@@ -162,7 +162,7 @@ class AreaSolver {
 AreaSolveResult solveAreas(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
                            Coordinates start, const AuthalicMapOptions& options, const Execution& execution,
                            Shapes shapes, AnalysedSystems* systems) {
-  AnalysedSystems own;
+  AnalysedSystems own(execution.threads());
   return AreaSolver(areas, surface, target, options, execution, shapes, systems != nullptr ? *systems : own)
       .run(std::move(start));
 }

@@ -145,7 +145,7 @@ AuthalicMapResult authalicMap(const DiskMesh& disk, const TargetMeasure& target,
   const PlanarAreas areas(disk.mesh().faces(), sliding, target.vertices());
   AuthalicMapResult result;
   result.startSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  AnalysedSystems own;
+  AnalysedSystems own(execution.threads());
   AreaSolveResult solved = solve(areas, disk, target, start, image, options, execution.part(0.2, 1),
                                  systems != nullptr ? *systems : own);
   result.image = solved.image;

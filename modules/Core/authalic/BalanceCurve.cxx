@@ -91,6 +91,8 @@ class HeightsSoFar {
 
 // What the maps of a curve hand on from one to the next.
 struct KeptAlong {
+  explicit KeptAlong(int threads) : systems(threads) {}
+
   HeightsSoFar heights;
   AnalysedSystems systems;
 };
@@ -137,7 +139,7 @@ BalanceCurve curveOf(const Mesh& mesh, const TargetMeasure& target, const Balanc
   requireNoFolds(start.flippedFaces);
   curve.startSeconds = secondsSince(begun);
   curve.status = Status::Converged;
-  KeptAlong kept;
+  KeptAlong kept(execution.threads());
   const double count = static_cast<double>(options.balances.size());
   for (std::size_t k = 0; k < options.balances.size(); ++k) {
     const Execution part = execution.part(0.1 + 0.9 * double(k) / count, 0.1 + 0.9 * double(k + 1) / count);

@@ -37,14 +37,6 @@ ElementAssembly::Unknowns elementUnknowns(const AreaFunctional& areas) {
   return elements;
 }
 
-double flipFree(const AreaFunctional& areas, const Coordinates& image, const Coordinates& displacement) {
-  double first = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < static_cast<int>(areas.faces().rows()); ++f) {
-    first = std::min(first, areas.firstFlip(image, displacement, f));
-  }
-  return first;
-}
-
 }  // namespace
 
 FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets,
@@ -52,6 +44,7 @@ FaceMatch::FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets
                      AnalysedSystems& systems)
     : areas_(areas),
       targets_(targets),
+      workers_({}, {}, systems.threads()),
       importance_(shapes == Shapes::Free ? Eigen::VectorXd::Ones(targets.size()) : faceImportance(targets)),
       shape_(areas, cotangents, importance_),
       system_(systems.of(areas.unknownCount(), elementUnknowns(areas), backend, PatternUse::Reused)),
@@ -130,7 +123,11 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
 
 // Whether there is enough damping for a positive definite matrix.
 bool FaceMatch::factorise(double damping) {
-  for (Eigen::Index f = 0; f < areas_.faces().rows(); ++f) fillElement(f, damping * stiffness_[f]);
+  parallelFor(static_cast<std::size_t>(stiffness_.size()), workers_, [&](std::size_t begin, std::size_t end) {
+    for (auto f = static_cast<Eigen::Index>(begin); f < static_cast<Eigen::Index>(end); ++f) {
+      fillElement(f, damping * stiffness_[f]);
+    }
+  });
   try {
     system_->factorize(system_->assemble(values_));
   } catch (const SolverError&) {
@@ -150,27 +147,39 @@ Coordinates FaceMatch::step(const Coordinates& image) {
   return areas_.displacement(frames_, system_->solver().solve(right_));
 }
 
+// When each face flips on the way, see AreaFunctional::firstFlip().
+Eigen::ArrayXd FaceMatch::flips(const Coordinates& image, const Coordinates& displacement) const {
+  Eigen::ArrayXd first(areas_.faces().rows());
+  parallelFor(static_cast<std::size_t>(first.size()), workers_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      first[static_cast<Eigen::Index>(f)] = areas_.firstFlip(image, displacement, static_cast<int>(f));
+    }
+  });
+  return first;
+}
+
 // A few thin triangles must not stop the whole map: their corners move by a part of what would collapse them.
-Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const {
+Coordinates FaceMatch::slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement,
+                                                Eigen::ArrayXd& flips) const {
   const Faces& faces = areas_.faces();
   for (int pass = 0; pass < 20; ++pass) {
     Eigen::VectorXd part = Eigen::VectorXd::Ones(image.rows());
-    for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
-      const double flip = areas_.firstFlip(image, displacement, f);
-      for (int k = 0; k < 3 && flip < kPinned; ++k) {
-        part[faces(f, k)] = std::min(part[faces(f, k)], kSlowed * flip);
+    for (Eigen::Index f = 0; f < flips.size(); ++f) {
+      for (int k = 0; k < 3 && flips[f] < kPinned; ++k) {
+        part[faces(f, k)] = std::min(part[faces(f, k)], kSlowed * flips[f]);
       }
     }
     if (part.minCoeff() == 1) break;
     displacement = areas_.slowed(image, displacement, part);
+    flips = this->flips(image, displacement);
   }
   return displacement;
 }
 
 // Faces that would collapse on the way become stiffer in the steps to come, so that they move as a whole.
-void FaceMatch::stiffen(const Coordinates& image, const Coordinates& displacement) {
+void FaceMatch::stiffen(const Eigen::ArrayXd& flips) {
   for (Eigen::Index f = 0; f < stiffness_.size(); ++f) {
-    const bool collapses = areas_.firstFlip(image, displacement, static_cast<int>(f)) < kCollapsesEarly;
+    const bool collapses = flips[f] < kCollapsesEarly;
     stiffness_[f] = collapses ? std::min(stiffness_[f] * kStiffer, kStiffest) : std::max(1.0, stiffness_[f] * kSofter);
   }
 }
@@ -188,9 +197,10 @@ double FaceMatch::advance(Coordinates& image) {
     return 0;
   }
   const Coordinates wanted = step(image);
-  stiffen(image, wanted);
-  const Coordinates slowed = slowedWhereFacesCollapse(image, wanted);
-  double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, slowed));
+  Eigen::ArrayXd first = flips(image, wanted);
+  stiffen(first);
+  const Coordinates slowed = slowedWhereFacesCollapse(image, wanted, first);
+  double part = std::min(1.0, kMarginToFlip * first.minCoeff());
   for (int shorter = 0; shorter < kAttempts; ++shorter, part *= kShorter) {
     Coordinates next = areas_.eased(areas_.moved(image, slowed, part));
     if (!(objective(next) < before)) continue;
@@ -210,7 +220,7 @@ double FaceMatch::advanceOnStars(StarConstraint& stars, double tolerance, Coordi
   for (; dampingOnStars_ <= kMostDampingOnStars; dampingOnStars_ *= 10) {
     if (!factorise(dampingOnStars_)) continue;
     const Coordinates wanted = areas_.displacement(frames_, stars.solve(system_->solver(), right_));
-    const double part = std::min(1.0, kMarginToFlip * flipFree(areas_, image, wanted));
+    const double part = std::min(1.0, kMarginToFlip * flips(image, wanted).minCoeff());
     Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
     if (!(stars.residual(next) < kNearerStars * before && residual(next) <= astray)) continue;
     image = std::move(next);

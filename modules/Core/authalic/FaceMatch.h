@@ -7,6 +7,7 @@
 
 #include "Core/authalic/ShapeEnergy.h"
 #include "Core/authalic/StarConstraint.h"
+#include "Core/base/Execution.h"
 #include "Core/numerics/AnalysedSystems.h"
 
 namespace authalic {
@@ -36,7 +37,7 @@ class FaceMatch {
  public:
   /// @param targets     m shares > 0, sum 1
   /// @param cotangents  of the surface
-  /// @param systems     where the pattern and its analysis are kept
+  /// @param systems     where the pattern and its analysis are kept; their threads work here too
   FaceMatch(const AreaFunctional& areas, const Eigen::VectorXd& targets, const HalfEdgeWeights& cotangents,
             SolverBackend backend, Shapes shapes, AnalysedSystems& systems);
 
@@ -87,12 +88,15 @@ class FaceMatch {
   [[nodiscard]] PlanarModel planarModel(const AreaFunctional::Corners& corners, Eigen::Index face,
                                         double lacking) const;
   [[nodiscard]] Coordinates stepWithParameters(const Coordinates& image, const CornerMoves& parameters) const;
-  [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement) const;
-  void stiffen(const Coordinates& image, const Coordinates& displacement);
+  [[nodiscard]] Eigen::ArrayXd flips(const Coordinates& image, const Coordinates& displacement) const;
+  [[nodiscard]] Coordinates slowedWhereFacesCollapse(const Coordinates& image, Coordinates displacement,
+                                                     Eigen::ArrayXd& flips) const;
+  void stiffen(const Eigen::ArrayXd& flips);
   void adapt(double step);
 
   const AreaFunctional& areas_;
   const Eigen::VectorXd& targets_;
+  Execution workers_;  // silent
   Eigen::VectorXd importance_;
   ShapeEnergy shape_;
   std::shared_ptr<AssembledSystem> system_;

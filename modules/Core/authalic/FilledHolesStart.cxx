@@ -61,7 +61,7 @@ Points2 rounder(const DiskMesh& disk, const TargetMeasure& targets, const HalfEd
   std::vector<LoopOnCircle> circle(1);
   circle[0].vertices = disk.boundary();
   const CircleDomainAreas areas(disk.mesh().faces(), circle, disk.mesh().vertexCount());
-  AnalysedSystems systems;
+  AnalysedSystems systems(execution.threads());
   FaceMatch match(areas, targets.faces(), weights, backend, Shapes::Kept, systems);
   match.restart(kNear);
   Coordinates image = std::move(start);

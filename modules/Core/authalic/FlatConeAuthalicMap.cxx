@@ -62,7 +62,7 @@ void takeImage(const SurfaceTopology& topology, const Coordinates& image, FlatCo
 // Half of the iterations keep shapes; where they do not suffice, areas alone have the rest.
 AreaSolveResult solve(const SeamedAreas& areas, const HighGenusMesh& surface, const TargetMeasure& target,
                       const Coordinates& start, AuthalicMapOptions options, const Execution& execution) {
-  AnalysedSystems systems;
+  AnalysedSystems systems(execution.threads());
   const int all = options.maxIterations;
   options.maxIterations = (all + 1) / 2;
   AreaSolveResult solved = solveAreas(areas, surface.mesh(), target, start, options, execution.part(0, 0.6),

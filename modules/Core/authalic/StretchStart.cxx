@@ -18,7 +18,7 @@ constexpr int kRounds = 7;
 StretchStart stretchStart(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                           SolverBackend backend, double goodEnough, const Execution& execution) {
   const Faces& faces = disk.mesh().faces();
-  BarycentricSolver solver(faces, disk.topology().onBoundary(), backend);
+  BarycentricSolver solver(faces, disk.topology().onBoundary(), backend, execution.threads());
   HalfEdgeWeights weights = cotangentWeights(disk.mesh());
   StretchStart best{image, std::numeric_limits<double>::infinity(), disk.mesh().faceCount()};
   Points2 current = image;

@@ -188,11 +188,17 @@ Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& i
     startVertex = sphere.topology().tail(h);
     break;
   }
-  const Half south = makeHalf(sphere, side, 0, startVertex, target, backend, goodEnough, execution.part(0, 0.5));
-  const Half north = makeHalf(sphere, side, 1, startVertex, target, backend, goodEnough, execution.part(0.5, 1));
+  std::array<Half, 2> halves;  // south, north
+  const auto make = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t h = begin; h < end; ++h) {
+      halves[h] = makeHalf(sphere, side, h == 1, startVertex, target, backend, goodEnough,
+                           h == 0 ? execution : execution.silent());
+    }
+  };
+  parallelFor(2, execution, make, 1);
   Points3 start(sphere.mesh().vertexCount(), 3);
-  projectToCap(south, -1, start);
-  projectToCap(north, 1, start);
+  projectToCap(halves[0], -1, start);
+  projectToCap(halves[1], 1, start);
   start.rowwise().normalize();
   return unfoldOnSphere(sphere, std::move(start)).image;
 }

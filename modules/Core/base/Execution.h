@@ -37,6 +37,9 @@ class Execution {
   /// An Execution whose 0…1 is shown to the caller as `from`…`to`.
   [[nodiscard]] Execution part(double from, double to) const;
 
+  /// The same without progress, for work on another thread than the caller's, who is asked from there whether to stop.
+  [[nodiscard]] Execution silent() const { return Execution({}, cancel_, threads_); }
+
  private:
   ProgressFunction progress_;
   CancelFunction cancel_;

@@ -176,11 +176,12 @@ void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const 
   store(unknowns.vertices, solver.solve(b), image);
 }
 
-BarycentricSolver::BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend)
+BarycentricSolver::BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend,
+                                     int threads)
     : faces_(faces),
       unknowns_(takeUnknowns(numberFreeVertices(faces, held), vertices_)),
       assembly_(static_cast<int>(vertices_.size()), unknowns_),
-      solver_(backend, PatternUse::Reused) {
+      solver_(backend, PatternUse::Reused, threads) {
   if (!vertices_.empty()) solver_.analyze(assembly_.matrix());
 }
 

@@ -20,7 +20,7 @@ void solveBarycentric(const Faces& faces, const HalfEdgeWeights& weights, const 
 /// The same for many weights on one mesh: the pattern is found and ordered once.
 class BarycentricSolver {
  public:
-  BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend);
+  BarycentricSolver(const Faces& faces, const std::vector<char>& held, SolverBackend backend, int threads = 1);
 
   /// @param weights  per half-edge, the same both ways
   /// @param shifts   3m×2 or empty: corner 3 f + k is at x_v + shift, so that Σ_j w_ij (x_j + s_j − x_i − s_i) = 0; for

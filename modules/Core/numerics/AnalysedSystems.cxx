@@ -11,9 +11,9 @@ constexpr std::size_t kMost = 6;  // two domains of a map, three systems each
 }  // namespace
 
 AssembledSystem::AssembledSystem(int unknownCount, std::vector<int> starts, std::vector<int> unknowns,
-                                 SolverBackend backend, PatternUse use)
+                                 SolverBackend backend, PatternUse use, int threads)
     : unknownCount_(unknownCount), starts_(std::move(starts)), unknowns_(std::move(unknowns)), backend_(backend),
-      use_(use), assembly_(unknownCount, starts_, unknowns_), solver_(backend, use) {}
+      use_(use), assembly_(unknownCount, starts_, unknowns_), solver_(backend, use, threads) {}
 
 void AssembledSystem::factorize(const SparseMatrix& lower) {
   if (!analysed_) solver_.analyze(lower);
@@ -34,7 +34,8 @@ std::shared_ptr<AssembledSystem> AnalysedSystems::of(int unknownCount, std::vect
     kept_.erase(found);
   } else {
     if (kept_.size() == kMost) kept_.erase(kept_.begin());
-    system = std::make_shared<AssembledSystem>(unknownCount, std::move(starts), std::move(unknowns), backend, use);
+    system = std::make_shared<AssembledSystem>(unknownCount, std::move(starts), std::move(unknowns), backend, use,
+                                               threads_);
   }
   kept_.push_back(system);
   return system;

@@ -14,7 +14,7 @@ class AssembledSystem {
  public:
   /// @param starts, unknowns  of the elements, as ElementAssembly takes them
   AssembledSystem(int unknownCount, std::vector<int> starts, std::vector<int> unknowns, SolverBackend backend,
-                  PatternUse use);
+                  PatternUse use, int threads);
 
   /// @param values  the upper triangles of all elements, one after the other
   /// @return lower triangle
@@ -44,6 +44,11 @@ class AssembledSystem {
 /// Keeps the last few patterns. One solve at a time may use it.
 class AnalysedSystems {
  public:
+  /// @param threads  of the solvers, see SparseSolver, and for the work around them
+  explicit AnalysedSystems(int threads = 1) : threads_(threads) {}
+
+  [[nodiscard]] int threads() const noexcept { return threads_; }
+
   /// The system of that pattern, found or made: O(size of the pattern) to compare.
   [[nodiscard]] std::shared_ptr<AssembledSystem> of(int unknownCount, std::vector<int> starts,
                                                     std::vector<int> unknowns, SolverBackend backend, PatternUse use);
@@ -52,6 +57,7 @@ class AnalysedSystems {
                                                     SolverBackend backend, PatternUse use);
 
  private:
+  int threads_;
   std::vector<std::shared_ptr<AssembledSystem>> kept_;  // the last used at the end
 };
 

@@ -9,6 +9,18 @@
 #include "Core/base/Error.h"
 
 namespace authalic {
+namespace {
+
+std::string noCircle(Eigen::Index count, const std::string& where) {
+  const std::string required =
+      "At least three points that do not lie on one line are required for a circle, but " + std::to_string(count);
+  if (count < 3) return required + " are given.";
+  return required + " lie " + where +
+         ": a map has shrunk their loop beyond the digits of a number; for a long tube take the domain "
+         "periodic-rectangle.";
+}
+
+}  // namespace
 
 FittedCircle fitCircle(const Points2& points, const std::vector<int>& vertices) {
   const auto count = static_cast<Eigen::Index>(vertices.size());
@@ -18,18 +30,12 @@ FittedCircle fitCircle(const Points2& points, const std::vector<int>& vertices) 
       count > 0 ? Eigen::RowVector2d(chosen.colwise().mean()) : Eigen::RowVector2d(0, 0);
   chosen.rowwise() -= middle;
   const double size = count > 0 ? chosen.cwiseAbs().maxCoeff() : 0;
-  if (count < 3 || !(size > 0)) {
-    throw GeometryError("At least three different points are required for a circle, but " +
-                        std::to_string(count) +
-                        (count < 3 ? " are given."
-                                   : " lie in one place: a map has shrunk their loop beyond the digits of "
-                                     "a number; for a long tube take the domain periodic-rectangle."));
-  }
+  if (count < 3 || !(size > 0)) throw GeometryError(noCircle(count, "in one place"));
   chosen /= size;
   Eigen::MatrixX3d system(count, 3);
   system << 2 * chosen, Eigen::VectorXd::Ones(count);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> factor(system);
-  if (factor.rank() < 3) throw GeometryError("Points that do not lie on one line are required for a circle.");
+  if (factor.rank() < 3) throw GeometryError(noCircle(count, "on one line"));
   const Eigen::Vector3d solution = factor.solve(chosen.rowwise().squaredNorm());
   FittedCircle circle;
   const Eigen::RowVector2d centre = solution.head(2).transpose();

@@ -17,6 +17,6 @@ class SparseSolver::Backend {
 };
 
 /// CHOLMOD's supernodal LLᵀ, or null when it was not built in.
-[[nodiscard]] std::unique_ptr<SparseSolver::Backend> makeCholmodBackend(PatternUse use);
+[[nodiscard]] std::unique_ptr<SparseSolver::Backend> makeCholmodBackend(PatternUse use, int threads);
 
 }  // namespace authalic

@@ -26,9 +26,9 @@ class EigenBackend final : public SparseSolver::Backend {
   Factorization factorization_;
 };
 
-std::unique_ptr<SparseSolver::Backend> makeBackend(SolverBackend kind, PatternUse use) {
+std::unique_ptr<SparseSolver::Backend> makeBackend(SolverBackend kind, PatternUse use, int threads) {
   switch (kind) {
-    case SolverBackend::Cholmod: return makeCholmodBackend(use);
+    case SolverBackend::Cholmod: return makeCholmodBackend(use, threads);
     case SolverBackend::EigenLLT:
       return std::make_unique<EigenBackend<Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower>>>();
     default: return std::make_unique<EigenBackend<Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower>>>();
@@ -56,11 +56,11 @@ bool SparseSolver::available(SolverBackend backend) noexcept {
 #endif
 }
 
-SparseSolver::SparseSolver(SolverBackend backend, PatternUse use) : kind_(backend) {
+SparseSolver::SparseSolver(SolverBackend backend, PatternUse use, int threads) : kind_(backend) {
   if (kind_ == SolverBackend::Automatic) {
     kind_ = available(SolverBackend::Cholmod) ? SolverBackend::Cholmod : SolverBackend::EigenLDLT;
   }
-  backend_ = makeBackend(kind_, use);
+  backend_ = makeBackend(kind_, use, threads);
   if (!backend_) {
     throw InvalidArgument("A solver that is part of this build is required, but " +
                           std::string(solverBackendName(kind_)) + " was not built in; use eigen-ldlt.");

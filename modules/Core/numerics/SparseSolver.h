@@ -31,11 +31,15 @@ enum class PatternUse {
 /// the same pattern; only `factorize` is then paid.
 ///
 /// Complexity for a planar mesh of n vertices: O(n^1.5) to factorise, O(n log n) per right-hand side.
-/// Guarantees: the dense kernels run on one thread, hence the same bits whatever the thread count.
+/// Large systems of a reused pattern are bisected, and both halves factorised and solved side by side.
+/// Guarantees: the dense kernels run on one thread and halves do not depend on the other's, hence the same bits
+/// whatever the thread count.
 /// Does not pivot and does not estimate the condition number.
 class SparseSolver {
  public:
-  explicit SparseSolver(SolverBackend backend = SolverBackend::Automatic, PatternUse use = PatternUse::Once);
+  /// @param threads  that may work side by side: two for large systems of a reused pattern, where CHOLMOD is
+  explicit SparseSolver(SolverBackend backend = SolverBackend::Automatic, PatternUse use = PatternUse::Once,
+                        int threads = 1);
   ~SparseSolver();
   SparseSolver(SparseSolver&&) noexcept;
   SparseSolver& operator=(SparseSolver&&) noexcept;
