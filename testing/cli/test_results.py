@@ -305,7 +305,9 @@ class Results(CommandLine):
         self.assertLess(report["levels"][0]["sites"], report["levels"][1]["sites"])
         self.succeeds("map", "transport", tube, "-o", "h.vtp", "--domain", "circle-domain", "--start", "coarse-to-fine",
                       "--report", "h.json")
-        self.assertEqual(len(json.loads((self.here / "h.json").read_text())["levels"]), 2)
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["options"]["start"]), ("converged", "coarse-to-fine"))
+        self.assertEqual(report["levels"][-1]["iterations"], report["iterations"])
         self.assertIn("must be", self.fails(2, *words, "--start", "tutte"))
         self.assertIn("is not for --domain sphere", self.fails(2, *words, "--domain", "sphere", "--start", "voronoi"))
 

@@ -194,6 +194,9 @@ TEST_F(CoarseToFineTransport, FindsTheHeightsThatVoronoisCellsLeadToWithoutMoreS
   PowerDiagram disk(crowded, PlanarDomain::disk());
   expectTheSame(disk, equalMasses(crowded.rows(), M_PI));
   expectTheSame(disk, unevenMasses(crowded, M_PI, 8));
+  Eigen::VectorXd holed = equalMasses(crowded.rows(), 0.98 * M_PI);
+  holed[40] += 0.02 * M_PI;  // as of a hole
+  expectTheSame(disk, holed);
   const Points2 random = randomPoints(4000, 9, 0, 1);
   const Points2 bent = random.cwiseProduct(random);  // crowded at one corner
   PowerDiagram square(bent, PlanarDomain::square());

@@ -16,8 +16,8 @@ namespace authalic {
 ///
 /// The cell of a site is cut out of the domain (the disk as a polygon) by its neighbours, which are found from corner
 /// to corner by walks over the last diagram and what has been changed since; no diagram is made. Its mass is taken as
-/// area times density in its middle. O(number of such sites), each some hundred cuts. Not guaranteed: that every cell is
-/// mended in one call, which visits five times as many sites as it finds at most.
+/// area times density in its middle. O(number of such sites), each some hundred cuts. Not guaranteed: that every cell
+/// is mended in one call, which visits five times as many sites as it finds at most.
 /// @param diagram    at those heights; cells without any mass are allowed
 /// @param masses     ν, n
 /// @param clusterOf  n: the group of each site, in which walks begin

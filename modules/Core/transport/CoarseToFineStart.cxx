@@ -26,8 +26,8 @@ double smallestPart(const PowerDiagram& diagram, const Eigen::VectorXd& masses) 
 
 // Mends cells once, and again as long as the smallest has little of its mass: that part, or none when too many cells
 // are empty.
-std::optional<double> mend(PowerDiagram& diagram, const Eigen::VectorXd& masses, const SiteClusters& clusters, Heights& heights,
-            const Execution& execution) {
+std::optional<double> mend(PowerDiagram& diagram, const Eigen::VectorXd& masses, const SiteClusters& clusters,
+                           Heights& heights, const Execution& execution) {
   diagram.compute(heights, execution);
   if (diagram.cells().emptyCells > kMostEmpty * static_cast<double>(masses.size())) return std::nullopt;
   double part = smallestPart(diagram, masses);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kOnBoundary = 1e-12;
 constexpr Eigen::Index kManySites = 20000;  // coarse to fine gains from here on
 constexpr Eigen::Index kFewSites = 64;      // and makes no sense below
-constexpr double kCoarseShare = 0.2;         // of the progress
+constexpr double kCoarseShare = 0.2;        // of the progress
 
 // What DampedNewton asks of a diagram, for sites in the plane.
 class PlanarCells final : public TransportCells {
@@ -82,8 +82,9 @@ TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::Vect
                                         const SemiDiscreteTransportOptions& options, const Heights& start,
                                         const Execution& execution) {
   const Eigen::Index count = diagram.sites().rows();
+  const bool wanted = start.size() == 0 && coarseToFineIsWanted(options.start, count);
   CoarseToFineStart coarse;
-  if (start.size() == 0 && coarseToFineIsWanted(options.start, count)) {
+  if (wanted) {
     options.validate();
     coarse = coarseToFineStart(diagram, checkedMasses(masses, count, diagram.total()), options,
                                execution.part(0, kCoarseShare));
@@ -92,7 +93,7 @@ TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::Vect
   Heights first = start;
   if (found) first = std::move(coarse.heights);
   else if (start.size() == 0) first = startHeights(diagram.sites(), diagram.domain());
-  const Execution rest = execution.part(found ? kCoarseShare : 0, 1);
+  const Execution rest = execution.part(wanted ? kCoarseShare : 0, 1);
   PlanarCells cells(diagram, rest);
   TransportSolution solution = dampedNewton(cells, count, masses, diagram.total(), options, std::move(first), rest);
   solution.levels = std::move(coarse.levels);
