@@ -1,6 +1,7 @@
 #include "TransportReport.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -20,7 +21,27 @@ Points3 lifted(const Points2& points) {
   return result;
 }
 
+// What the transports to clusters of the sites and to the sites took, the coarsest first.
+Json levelsOf(const TransportSolution& result) {
+  Json levels = Json::array();
+  for (const TransportLevel& level : result.levels) {
+    Json entry = Json::object();
+    entry.set("sites", level.sites).set("iterations", level.iterations).set("voronoi_part", level.voronoi);
+    levels.add(std::move(entry));
+  }
+  return levels;
+}
+
 }  // namespace
+
+const char* nameOf(TransportStart start) {
+  switch (start) {
+    case TransportStart::Voronoi: return "voronoi";
+    case TransportStart::CoarseToFine: return "coarse-to-fine";
+    case TransportStart::Automatic: break;
+  }
+  return "automatic";
+}
 
 MapReport describeTransport(const TransportSolution& result, const TransportCosts& costs, vtkPolyData* map) {
   MapReport report;
@@ -38,6 +59,7 @@ MapReport describeTransport(const TransportSolution& result, const TransportCost
   report.more.set("displacement_cost", costs.displacement);
   report.more.set("empty_cells", costs.emptyCells);
   report.more.set("smallest_cell", smallest);
+  if (!result.levels.empty()) report.more.set("levels", levelsOf(result));
   addField(map, "TransportResidual", result.residual);
   if (costs.transport) addField(map, "TransportCost", *costs.transport);
   addField(map, "DisplacementCost", costs.displacement);

@@ -19,8 +19,11 @@ struct TransportCosts {
   int emptyCells = 0;
 };
 
-/// Method, status, iterations, residuals, and what the cells cost: as members of the report and as field data of the
-/// map (TransportResidual, TransportCost, DisplacementCost, EmptyCells).
+/// As in options and reports: automatic, voronoi, coarse-to-fine.
+[[nodiscard]] const char* nameOf(TransportStart start);
+
+/// Method, status, iterations, residuals, levels in the plane, and what the cells cost: as members of the report, the
+/// costs also as field data of the map (TransportResidual, TransportCost, DisplacementCost, EmptyCells).
 [[nodiscard]] MapReport describeTransport(const TransportSolution& result, const TransportCosts& costs,
                                           vtkPolyData* map);
 

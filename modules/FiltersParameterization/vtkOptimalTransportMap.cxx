@@ -27,6 +27,7 @@ vtkOptimalTransportMap::vtkOptimalTransportMap() {
   const authalic::OptimalTransportMapOptions defaults;
   this->Tolerance = defaults.tolerance;
   this->MaximumIterations = defaults.maxIterations;
+  this->Start = static_cast<int>(defaults.start);
 }
 
 int vtkOptimalTransportMap::FillInputPortInformation(int port, vtkInformation* info) {
@@ -41,6 +42,7 @@ authalic::Json vtkOptimalTransportMap::DescribeAllOptions(bool initialMapGiven) 
   options.set("initial", initialMapGiven ? "given" : riemann ? "riemann" : "harmonic");
   options.set("tolerance", this->Tolerance);
   options.set("max_iterations", this->MaximumIterations);
+  options.set("start", authalic::nameOf(static_cast<authalic::TransportStart>(this->Start)));
   options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
   options.set("source_density", this->SourceDensityArrayName);
   return options;
@@ -71,6 +73,7 @@ void vtkOptimalTransportMap::Compute(vtkInformationVector** inputs, vtkInformati
   options.domain = this->MakeDomain();
   options.tolerance = this->Tolerance;
   options.maxIterations = this->MaximumIterations;
+  options.start = static_cast<authalic::TransportStart>(this->Start);
   options.validate();
   vtkPolyData* source = vtkPolyData::GetData(inputs[2]);
   this->CheckSource(source != nullptr);
@@ -128,6 +131,7 @@ void vtkOptimalTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "InitialMethod: " << this->InitialMethod << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Start: " << this->Start << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
   os << indent << "Balance: " << this->Balance << "\n";
   os << indent << "BalanceArrayName: " << this->BalanceArrayName << "\n";

@@ -65,6 +65,12 @@ public:
     HARMONIC = 0,
     RIEMANN = 1
   };
+  enum StartType
+  {
+    AUTOMATIC = 0,
+    VORONOI = 1,
+    COARSE_TO_FINE = 2
+  };
   enum FinishType
   {
     NO_FINISH = 0,
@@ -89,6 +95,18 @@ public:
   /** Most Newton steps, 0 or more. */
   vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where Newton's method begins: at the Voronoi cells of the sites, or at heights of a transport to fewer sites.
+   * AUTOMATIC: COARSE_TO_FINE for large surfaces, where it gains. The result is the same to the tolerance.
+   */
+  vtkSetClampMacro(Start, int, AUTOMATIC, COARSE_TO_FINE);
+  vtkGetMacro(Start, int);
+  void SetStartToAutomatic() { this->SetStart(AUTOMATIC); }
+  void SetStartToVoronoi() { this->SetStart(VORONOI); }
+  void SetStartToCoarseToFine() { this->SetStart(COARSE_TO_FINE); }
   ///@}
 
   ///@{
@@ -137,6 +155,7 @@ protected:
   int InitialMethod = HARMONIC;
   double Tolerance;
   int MaximumIterations;
+  int Start;
   int Finish = NO_FINISH;
   double Balance = 1.0;
   std::string BalanceArrayName;

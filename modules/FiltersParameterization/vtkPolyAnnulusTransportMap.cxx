@@ -49,6 +49,7 @@ vtkPolyAnnulusTransportMap::vtkPolyAnnulusTransportMap() {
   this->HoleShare = defaults.holeShare;
   this->Tolerance = defaults.tolerance;
   this->MaximumIterations = defaults.maxIterations;
+  this->Start = static_cast<int>(defaults.start);
 }
 
 void vtkPolyAnnulusTransportMap::AddHoleArea(double area) {
@@ -68,6 +69,7 @@ authalic::Json vtkPolyAnnulusTransportMap::DescribeOptions() const {
   options.set("hole_share", this->HoleShare);
   options.set("tolerance", this->Tolerance);
   options.set("max_iterations", this->MaximumIterations);
+  options.set("start", authalic::nameOf(static_cast<authalic::TransportStart>(this->Start)));
   options.set("finish", this->Finish == AUTHALIC ? "authalic" : "none");
   return options;
 }
@@ -80,6 +82,7 @@ void vtkPolyAnnulusTransportMap::Compute(vtkInformationVector** inputs, vtkInfor
   authalic::PolyAnnulusTransportOptions options;
   options.tolerance = this->Tolerance;
   options.maxIterations = this->MaximumIterations;
+  options.start = static_cast<authalic::TransportStart>(this->Start);
   options.outerLoop = authalic::loopOf(surface.loops(), this->OuterVertex);
   options.holeAreas = this->HoleAreas;
   options.holeShare = this->HoleShare;
@@ -119,5 +122,6 @@ void vtkPolyAnnulusTransportMap::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "HoleShare: " << this->HoleShare << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Start: " << this->Start << "\n";
   os << indent << "Finish: " << this->Finish << "\n";
 }

@@ -59,6 +59,12 @@ public:
   vtkTypeMacro(vtkPolyAnnulusTransportMap, vtkSurfaceMapAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum StartType
+  {
+    AUTOMATIC = 0,
+    VORONOI = 1,
+    COARSE_TO_FINE = 2
+  };
   enum FinishType
   {
     NO_FINISH = 0,
@@ -104,6 +110,18 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Where Newton's method begins: at the Voronoi cells of the sites, or at heights of a transport to fewer sites.
+   * AUTOMATIC: COARSE_TO_FINE for large surfaces, where it gains. The result is the same to the tolerance.
+   */
+  vtkSetClampMacro(Start, int, AUTOMATIC, COARSE_TO_FINE);
+  vtkGetMacro(Start, int);
+  void SetStartToAutomatic() { this->SetStart(AUTOMATIC); }
+  void SetStartToVoronoi() { this->SetStart(VORONOI); }
+  void SetStartToCoarseToFine() { this->SetStart(COARSE_TO_FINE); }
+  ///@}
+
+  ///@{
   /** AUTHALIC: round holes, no folds, exact areas afterwards, with the defaults of vtkCircleDomainAuthalicMap. Default
    * NO_FINISH. */
   vtkSetClampMacro(Finish, int, NO_FINISH, AUTHALIC);
@@ -123,6 +141,7 @@ protected:
   double HoleShare;
   double Tolerance;
   int MaximumIterations;
+  int Start;
   int Finish = NO_FINISH;
 
 private:

@@ -11,6 +11,7 @@ namespace {
 
 const std::vector<std::string> initials = {"harmonic", "riemann"};
 const std::vector<std::string> finishes = {"none", "authalic"};
+const std::vector<std::string> starts = {"automatic", "voronoi", "coarse-to-fine"};
 const std::vector<std::string> formulations = {"spherical", "stereographic"};
 
 constexpr double kHalf = 0.5;  // the balance of "balanced" when none is asked for
@@ -55,6 +56,10 @@ class TransportFamily : public MapFamily {
         ->type_name("MESH");
     own(verb->add_option("--source-density", sourceDensity_, "Point array of MESH: the source density, above 0."))
         ->type_name("NAME");
+    own(verb->add_option("--start", start_,
+                         "Where Newton's method begins in the plane: at the Voronoi cells of the sites, or at a "
+                         "transport to fewer sites; automatic: the second for large surfaces, where it gains."))
+        ->type_name(oneOf(starts))->default_str(starts[static_cast<std::size_t>(defaults_->GetStart())]);
     own(verb->add_option("--hole-share", holeShare_,
                          "--domain circle-domain: part of the disk that all holes get together, in [0, 1), as "
                          "--hole-areas or else the conformal map divides it; 0 = as large as their areas are."))
@@ -77,6 +82,9 @@ class TransportFamily : public MapFamily {
     if (shared.domain != "sphere" && (formulation_ || !pole_.empty())) {
       throw Failure(UsageProblem, "--formulation and --pole need --domain sphere.");
     }
+    if (shared.domain == "sphere" && start_) {
+      throw Failure(UsageProblem, "--start is not for --domain sphere; leave it out.");
+    }
     requireSourceOptions(shared);
     if (shared.domain == "sphere" && shared.holeAreas.empty() && !holeShare_) {
       return configured(spherical(), balanced, shared, session);
@@ -87,6 +95,7 @@ class TransportFamily : public MapFamily {
     }
     const auto map = vtkSmartPointer<vtkOptimalTransportMap>::New();
     setDiskDomain(map, shared.domain);
+    if (start_) map->SetStart(choice("--start", *start_, starts));
     if (balanced) map->SetInitialMethodToRiemann();
     if (!source_.empty()) {
       map->SetInputData(2, readSurface(source_, session, {}));  // in the plane of the domain, not in --space
@@ -156,6 +165,7 @@ class TransportFamily : public MapFamily {
                                   "the start is the conformal map.");
     }
     const auto map = vtkSmartPointer<vtkPolyAnnulusTransportMap>::New();
+    if (start_) map->SetStart(choice("--start", *start_, starts));
     for (const double area : shared.holeAreas) map->AddHoleArea(area);
     if (holeShare_) map->SetHoleShare(*holeShare_);
     setLimits(map.Get(), shared);
@@ -190,7 +200,7 @@ class TransportFamily : public MapFamily {
   vtkNew<vtkOptimalTransportMap> defaults_;
   std::string cells_, source_, sourceDensity_;
   std::optional<double> holeShare_;
-  std::optional<std::string> formulation_;
+  std::optional<std::string> formulation_, start_;
   std::vector<double> pole_;
 };
 

@@ -293,6 +293,24 @@ class Results(CommandLine):
         self.assertIn("covers the polygon", self.fails(3, *words, "--domain", "square"))
         self.assertIn("Source mesh: ", self.fails(3, *words[:6], ball, *words[7:]))
 
+    def test_transport_starts_where_it_is_told(self):
+        disk, tube = (pathlib.Path(ARGUMENTS.fixtures) / name for name in ("bumpy_disk.off", "bent_tube.off"))
+        words = ("map", "transport", disk, "-o", "t.vtp", "--report", "t.json")
+        for start, levels in ((None, 1), ("automatic", 1), ("voronoi", 1), ("coarse-to-fine", 2)):
+            self.succeeds(*words, *(("--start", start) if start else ()))
+            report = json.loads((self.here / "t.json").read_text())
+            self.assertEqual((report["status"], report["options"]["start"]), ("converged", start or "automatic"))
+            self.assertEqual(len(report["levels"]), levels)
+            self.assertEqual(report["levels"][-1]["iterations"], report["iterations"])
+        self.assertLess(report["levels"][0]["sites"], report["levels"][1]["sites"])
+        self.succeeds("map", "transport", tube, "-o", "h.vtp", "--domain", "circle-domain", "--start", "coarse-to-fine",
+                      "--report", "h.json")
+        report = json.loads((self.here / "h.json").read_text())
+        self.assertEqual((report["status"], report["options"]["start"]), ("converged", "coarse-to-fine"))
+        self.assertEqual(report["levels"][-1]["iterations"], report["iterations"])
+        self.assertIn("must be", self.fails(2, *words, "--start", "tutte"))
+        self.assertIn("is not for --domain sphere", self.fails(2, *words, "--domain", "sphere", "--start", "voronoi"))
+
     def test_transport_takes_closed_surfaces_to_the_sphere(self):
         ball = pathlib.Path(ARGUMENTS.fixtures) / "folded_sphere.off"
         self.succeeds("map", "transport", ball, "-o", "s.vtp", "--domain", "sphere", "--cells", "c.vtp", "--report",

@@ -49,6 +49,29 @@ INSTANTIATE_TEST_SUITE_P(Disk, TransportOnScansSlow,
                          ::testing::Values("chinese_lion", "human_face", "camelhead", "human_brain"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
+TEST(CoarseToFineOnScansSlow, TakesHalfTheStepsOnACortex) {
+  if (!PowerDiagram::available()) GTEST_SKIP() << "CGAL was not built in";
+  const std::string path = sharedData("meshes/open_disk/human_brain.off");
+  AUTHALIC_NEEDS(path);
+  const DiskMesh disk(readOff(path));
+  const Eigen::VectorXd shares = TargetMeasure(disk.mesh()).vertices();
+  for (const PlanarDomain& domain : {PlanarDomain::disk(), PlanarDomain::square()}) {
+    OptimalTransportMapOptions options;
+    options.domain = domain;
+    const OptimalTransportMapResult automatic = optimalTransportMap(disk, shares, options);
+    options.start = TransportStart::Voronoi;
+    const OptimalTransportMapResult voronoi = optimalTransportMap(disk, shares, options);
+    EXPECT_EQ(automatic.status, Status::Converged);
+    EXPECT_EQ(automatic.levels.size(), 2U);
+    EXPECT_EQ(voronoi.levels.size(), 1U);
+    EXPECT_LE(2 * automatic.iterations, voronoi.iterations);
+    const double size = std::sqrt(domain.area());
+    EXPECT_LT((automatic.image - voronoi.image).cwiseAbs().maxCoeff(), 1e-6 * size);
+    EXPECT_NEAR(automatic.transportCost / voronoi.transportCost, 1, 1e-9);
+    expectMonotone(automatic);
+  }
+}
+
 class SphericalTransportOnScansSlow : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SphericalTransportOnScansSlow, GivesEveryCellItsShareInFewSteps) {

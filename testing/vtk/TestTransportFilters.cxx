@@ -93,6 +93,28 @@ TEST_F(TransportFilters, GiveTheImageAndTheCellsOfCore) {
   }
 }
 
+TEST_F(TransportFilters, StartWhereTheyAreToldAndReportTheLevels) {
+  const DiskMesh disk(bumpyDisk(10));
+  OptimalTransportMapOptions options;
+  options.start = TransportStart::CoarseToFine;
+  const OptimalTransportMapResult core = optimalTransportMap(disk, TargetMeasure(disk.mesh()).vertices(), options);
+  ASSERT_EQ(core.levels.size(), 2U);
+  vtkNew<vtkOptimalTransportMap> filter;
+  EXPECT_EQ(filter->GetStart(), vtkOptimalTransportMap::AUTOMATIC);
+  filter->SetInputData(0, polyData(disk.mesh()));
+  filter->Update();
+  EXPECT_NE(filter->GetReport().find("\"start\": \"automatic\""), std::string::npos);
+  EXPECT_NE(filter->GetReport().find("\"voronoi_part\": 1"), std::string::npos);
+  filter->SetStartToCoarseToFine();
+  filter->Update();
+  EXPECT_EQ(toPlanarPoints(filter->GetOutput(0)), core.image);
+  EXPECT_NE(filter->GetReport().find("\"start\": \"coarse-to-fine\""), std::string::npos);
+  EXPECT_NE(filter->GetReport().find("\"sites\": " + std::to_string(core.levels[0].sites)), std::string::npos);
+  vtkNew<vtkPolyAnnulusTransportMap> holed;
+  holed->SetStartToVoronoi();
+  EXPECT_EQ(holed->GetStart(), vtkPolyAnnulusTransportMap::VORONOI);
+}
+
 TEST_F(TransportFilters, RemoveFoldsAndErrorsOfFacesWhenAskedTo) {
   vtkNew<vtkOptimalTransportMap> filter;
   filter->SetInputData(0, polyData(bumpyDisk(14, 1.5)));

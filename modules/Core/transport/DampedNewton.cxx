@@ -14,24 +14,6 @@ constexpr double kSumTolerance = 1e-6;
 constexpr double kShortestStep = 1e-8;
 constexpr double kGrowth = 4;  // of the part of the step that is tried first
 
-Eigen::VectorXd checkedMasses(const Eigen::VectorXd& masses, Eigen::Index count, double area) {
-  if (masses.size() != count) {
-    throw GeometryError("One mass per site (" + std::to_string(count) + ") is required, but there are " +
-                        std::to_string(masses.size()) + ".");
-  }
-  for (Eigen::Index i = 0; i < count; ++i) {
-    if (masses[i] > 0 && std::isfinite(masses[i])) continue;
-    throw GeometryError("Positive masses are required, but that of site " + std::to_string(i) + " is " +
-                        std::to_string(masses[i]) + "; leave the site out or give it a share.");
-  }
-  const double sum = masses.sum();
-  if (std::abs(sum - area) > kSumTolerance * area) {
-    throw GeometryError("Masses that sum to that of the source, " + std::to_string(area) +
-                        ", are required, but their sum is " + std::to_string(sum) + "; scale them.");
-  }
-  return masses * (area / sum);
-}
-
 // Newton's matrix without the row and column of the last site, whose height stays.
 SparseMatrix newtonMatrix(const TransportCells& cells, Eigen::Index count,
                           std::vector<Eigen::Triplet<double>>& entries) {
@@ -65,6 +47,24 @@ Eigen::VectorXd newtonStep(const TransportCells& cells, const Eigen::VectorXd& e
 }
 
 }  // namespace
+
+Eigen::VectorXd checkedMasses(const Eigen::VectorXd& masses, Eigen::Index count, double area) {
+  if (masses.size() != count) {
+    throw GeometryError("One mass per site (" + std::to_string(count) + ") is required, but there are " +
+                        std::to_string(masses.size()) + ".");
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (masses[i] > 0 && std::isfinite(masses[i])) continue;
+    throw GeometryError("Positive masses are required, but that of site " + std::to_string(i) + " is " +
+                        std::to_string(masses[i]) + "; leave the site out or give it a share.");
+  }
+  const double sum = masses.sum();
+  if (std::abs(sum - area) > kSumTolerance * area) {
+    throw GeometryError("Masses that sum to that of the source, " + std::to_string(area) +
+                        ", are required, but their sum is " + std::to_string(sum) + "; scale them.");
+  }
+  return masses * (area / sum);
+}
 
 TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const Eigen::VectorXd& given, double area,
                                const SemiDiscreteTransportOptions& options, Heights start,

@@ -24,6 +24,10 @@ class TransportCells {
   [[nodiscard]] virtual double constantOf(const Eigen::VectorXd& step) const { return step.mean(); }
 };
 
+/// The masses, scaled to the sum `area` exactly.
+/// @throws GeometryError when there are not `count` of them, one is not positive, or their sum is another
+[[nodiscard]] Eigen::VectorXd checkedMasses(const Eigen::VectorXd& masses, Eigen::Index count, double area);
+
 /// See semiDiscreteTransport. `cells` are those of the returned heights afterwards.
 [[nodiscard]] TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const Eigen::VectorXd& masses,
                                              double area, const SemiDiscreteTransportOptions& options,

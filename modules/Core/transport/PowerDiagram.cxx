@@ -182,6 +182,14 @@ PowerDiagram::~PowerDiagram() = default;
 PowerDiagram::PowerDiagram(PowerDiagram&&) noexcept = default;
 PowerDiagram& PowerDiagram::operator=(PowerDiagram&&) noexcept = default;
 
+double PowerDiagram::densityAt(const Eigen::Vector2d& point) const {
+  return source_ ? source_->pieces()[at(source_->pieceAt(point))].density.at(point) : 1;
+}
+
+PowerDiagram PowerDiagram::withSites(Points2 sites) const {
+  return source_ ? PowerDiagram(std::move(sites), source_) : PowerDiagram(std::move(sites), domain_);
+}
+
 const Points2& PowerDiagram::sites() const noexcept { return walk_->sites; }
 
 const PowerCells& PowerDiagram::compute(const Heights& heights, const Execution& execution) {

@@ -89,6 +89,10 @@ class PowerDiagram {
   [[nodiscard]] const PlanarDomain& domain() const noexcept { return domain_; }
   /// ∫ ρ over the domain; its area when the source is uniform.
   [[nodiscard]] double total() const { return source_ ? source_->total() : domain_.area(); }
+  /// ρ at a point of the domain; 1 when the source is uniform.
+  [[nodiscard]] double densityAt(const Eigen::Vector2d& point) const;
+  /// The diagram of other sites, of the same domain and source.
+  [[nodiscard]] PowerDiagram withSites(Points2 sites) const;
 
   /// Whether this build can make power diagrams.
   [[nodiscard]] static bool available() noexcept;

@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "Core/base/Error.h"
+#include "Core/transport/CoarseToFineStart.h"
 #include "Core/transport/DampedNewton.h"
 
 namespace authalic {
 namespace {
 
 constexpr double kOnBoundary = 1e-12;
+constexpr Eigen::Index kManySites = 20000;  // coarse to fine gains from here on
+constexpr Eigen::Index kFewSites = 64;      // and makes no sense below
+constexpr double kCoarseShare = 0.2;        // of the progress
 
 // What DampedNewton asks of a diagram, for sites in the plane.
 class PlanarCells final : public TransportCells {
@@ -29,6 +34,11 @@ class PlanarCells final : public TransportCells {
   PowerDiagram& diagram_;
   const Execution& execution_;
 };
+
+bool coarseToFineIsWanted(TransportStart start, Eigen::Index count) {
+  if (start == TransportStart::Automatic) return count >= kManySites;
+  return start == TransportStart::CoarseToFine && count >= kFewSites;
+}
 
 }  // namespace
 
@@ -71,9 +81,26 @@ Heights startHeights(const Points2& sites, const PlanarDomain& domain) {
 TransportSolution semiDiscreteTransport(PowerDiagram& diagram, const Eigen::VectorXd& masses,
                                         const SemiDiscreteTransportOptions& options, const Heights& start,
                                         const Execution& execution) {
-  PlanarCells cells(diagram, execution);
-  return dampedNewton(cells, diagram.sites().rows(), masses, diagram.total(), options,
-                      start.size() > 0 ? start : startHeights(diagram.sites(), diagram.domain()), execution);
+  const Eigen::Index count = diagram.sites().rows();
+  const bool wanted = start.size() == 0 && coarseToFineIsWanted(options.start, count);
+  CoarseToFineStart coarse;
+  if (wanted) {
+    options.validate();
+    coarse = coarseToFineStart(diagram, checkedMasses(masses, count, diagram.total()), options,
+                               execution.part(0, kCoarseShare));
+  }
+  const bool found = coarse.heights.size() > 0;
+  Heights first = start;
+  if (found) first = std::move(coarse.heights);
+  else if (start.size() == 0) first = startHeights(diagram.sites(), diagram.domain());
+  const Execution rest = execution.part(wanted ? kCoarseShare : 0, 1);
+  PlanarCells cells(diagram, rest);
+  TransportSolution solution = dampedNewton(cells, count, masses, diagram.total(), options, std::move(first), rest);
+  solution.levels = std::move(coarse.levels);
+  if (start.size() == 0) {
+    solution.levels.push_back({static_cast<int>(count), solution.iterations, found ? coarse.voronoi : 1});
+  }
+  return solution;
 }
 
 }  // namespace authalic

@@ -13,9 +13,17 @@
 
 namespace authalic {
 
+/// Where Newton's method begins in the plane, when no heights are given.
+enum class TransportStart {
+  Automatic,     ///< CoarseToFine from 20 000 sites on, where it gains
+  Voronoi,       ///< the Voronoi cells of the sites
+  CoarseToFine,  ///< heights of a transport to fewer sites @cite merigot2011, interpolated
+};
+
 struct SemiDiscreteTransportOptions {
   double tolerance = 1e-9;  ///< of max |w_i − ν_i| / mean ν, > 0
-  int maxIterations = 100;  ///< Newton steps, ≥ 0
+  int maxIterations = 100;  ///< Newton steps, ≥ 0; those of coarser transports do not count
+  TransportStart start = TransportStart::Automatic;
   SolverBackend solver = SolverBackend::Automatic;
 
   /// @throws InvalidArgument naming the field that is outside its range.
@@ -29,6 +37,13 @@ struct TransportIteration {
   double smallestCell = 0;  ///< smallest cell after the step / mean ν
 };
 
+/// A transport to so many sites: to the given ones, or to clusters of them.
+struct TransportLevel {
+  int sites = 0;
+  int iterations = 0;  ///< Newton steps
+  double voronoi = 1;  ///< t: part of Voronoi's heights in its start; 1 at the coarsest
+};
+
 /// How a transport was found, whatever the domain.
 struct TransportSolution {
   Status status = Status::NotRun;  ///< Converged: residual within the tolerance; Stalled: no step was possible
@@ -36,6 +51,7 @@ struct TransportSolution {
   double residual = 0;       ///< max |w_i − ν_i| / mean ν
   Heights heights;           ///< n
   std::vector<TransportIteration> history;
+  std::vector<TransportLevel> levels;  ///< in the plane, the coarsest first; none when a start was given
 };
 
 /// Heights h such that the cell of site i has the mass ν_i = ∫_{W_i} ρ, its area when the source is uniform: the map
@@ -50,7 +66,12 @@ struct TransportSolution {
 ///
 /// @param diagram  its sites, domain and source; holds the cells of the result afterwards
 /// @param masses   ν, n, > 0, with the sum diagram.total() (to 1e-6; scaled to it exactly)
-/// @param start    n heights without empty cells, or empty for startHeights
+/// From coarse to fine (options.start): clusters of about six sites, themselves from coarse to fine while there are
+/// many, are given their masses to 1e-3; their heights, interpolated by smooth fits to values and gradients, are those
+/// of the sites, but for a few that are raised or lowered so that no cell is empty. Where that fails the start is
+/// Voronoi's.
+///
+/// @param start    n heights without empty cells, or empty for options.start
 /// Guarantees: no cell of any iterate is empty; the 2-norm of the error falls and its largest entry, the residual
 /// of the history, does not grow at any step; when not converged, the best iterate with its residual.
 /// Complexity: a power diagram and a sparse factorisation of size n per step, O(n^1.5).
