@@ -6,7 +6,7 @@
 namespace authalic {
 namespace {
 
-constexpr double kWeight = 30;          // κ
+constexpr double kFacesPerWeight = 2500, kLargestWeight = 30;
 constexpr double kSmallestRatio = 1e-3;  // of areas, in the weights
 
 double sumOver(const std::vector<int>& faces, const Eigen::VectorXd& values) {
@@ -18,7 +18,8 @@ double sumOver(const std::vector<int>& faces, const Eigen::VectorXd& values) {
 }  // namespace
 
 BoundaryStars::BoundaryStars(const AreaFunctional& areas, const Eigen::VectorXd& targets,
-                             const Eigen::VectorXd& importance) {
+                             const Eigen::VectorXd& importance)
+    : weight_(std::min(static_cast<double>(targets.size()) / kFacesPerWeight, kLargestWeight)) {
   if (!areas.looksAtBoundaryStars()) return;
   const Faces& faces = areas.faces();
   std::vector<int> number(static_cast<std::size_t>(areas.vertexCount()), -1);
@@ -58,7 +59,7 @@ double BoundaryStars::value(const Eigen::VectorXd& faceAreas) const {
     const double share = sumOver(star.faces, faceAreas) / total, off = share - star.target;
     sum += star.importance * off * off / share;
   }
-  return kWeight * sum;
+  return weight_ * sum;
 }
 
 void BoundaryStars::linearise(const Eigen::VectorXd& faceAreas) {
@@ -66,7 +67,7 @@ void BoundaryStars::linearise(const Eigen::VectorXd& faceAreas) {
   for (Star& star : stars_) {
     const double wanted = total * star.target, area = sumOver(star.faces, faceAreas);
     const double ratio = std::max(area / wanted, kSmallestRatio);
-    star.weight = kWeight * star.importance * (1 + ratio) / (2 * ratio * ratio * wanted);
+    star.weight = weight_ * star.importance * (1 + ratio) / (2 * ratio * ratio * wanted);
     star.lacks = wanted - area;
   }
 }
