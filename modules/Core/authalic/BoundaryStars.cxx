@@ -6,7 +6,7 @@
 namespace authalic {
 namespace {
 
-constexpr double kFacesPerWeight = 2500, kLargestWeight = 30;
+constexpr double kFacesPerWeight = 2500, kSmallestWeight = 10, kLargestWeight = 30;
 constexpr double kSmallestRatio = 1e-3;  // of areas, in the weights
 
 double sumOver(const std::vector<int>& faces, const Eigen::VectorXd& values) {
@@ -19,7 +19,7 @@ double sumOver(const std::vector<int>& faces, const Eigen::VectorXd& values) {
 
 BoundaryStars::BoundaryStars(const AreaFunctional& areas, const Eigen::VectorXd& targets,
                              const Eigen::VectorXd& importance)
-    : weight_(std::min(static_cast<double>(targets.size()) / kFacesPerWeight, kLargestWeight)) {
+    : weight_(std::clamp(static_cast<double>(targets.size()) / kFacesPerWeight, kSmallestWeight, kLargestWeight)) {
   if (!areas.looksAtBoundaryStars()) return;
   const Faces& faces = areas.faces();
   std::vector<int> number(static_cast<std::size_t>(areas.vertexCount()), -1);
