@@ -9,7 +9,7 @@
 namespace authalic {
 namespace {
 
-constexpr int kRounds = 8;
+constexpr int kRounds = 8, kRoundsWithShapes = 3;
 constexpr int kMostVertexSteps = 12;    // of one round, and as many more as each halve the residual
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
@@ -52,6 +52,7 @@ class AreaSolver {
       goal *= reached ? std::clamp(kNear / farness(exact, faces_.residual(exact)), 0.4, kNear) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (converged_ && !reached) break;
+      if (round + 1 == kRoundsWithShapes && !converged_) faces_.freeShapes();
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);

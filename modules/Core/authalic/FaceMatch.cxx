@@ -20,6 +20,10 @@ constexpr double kNearerStars = 0.5;      // by this factor at least, in one ste
 constexpr double kAstray = 2;             // times what faces are, or may be, after such a step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
 constexpr double kEndPull = 1e-3;         // of the usual one
+constexpr int kStepsWithoutCurvature = 20;  // before faces far from their targets get stiffer
+// Of what the model wants of the area of a face: |½ δᵀ ∂²a δ| ≤ Σ |δ_i − δ_j|² / (4 √3), and of that a tenth.
+constexpr double kCurvature = 0.1 / 1.7320508075688772;
+constexpr double kMostWanted = 10;  // in that: what has nearly collapsed must open, not become rigid
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
 // τ of the first step, its factor per step, and where it usually ends, by the square of the goal.
@@ -73,6 +77,11 @@ void FaceMatch::relax() noexcept {
   leastPull_ = std::max(0.5 * leastPull_, endPull_);
 }
 
+void FaceMatch::freeShapes() noexcept {
+  importance_.setOnes();
+  pull_ = leastPull_ = endPull_ = usualPull_ = 0;
+}
+
 // m_t (r_t + 1/r_t − 2); infinite when a face is folded.
 Eigen::ArrayXd FaceMatch::faceErrors(const Eigen::VectorXd& areas) const {
   if (!(areas.minCoeff() > 0)) {
@@ -119,13 +128,18 @@ void FaceMatch::linearise(const Coordinates& image) {
   shape_.addDescent(image, frames_, pull_, right_);
 }
 
-void FaceMatch::fillElement(Eigen::Index face, double damping) {
+double FaceMatch::rigidity(Eigen::Index face, double damping) const {
+  const double curvature = steps_ < kStepsWithoutCurvature ? 0 : kCurvature;
+  return damping * stiffness_[face] + curvature * std::min(std::abs(pulls_[face]), kMostWanted);
+}
+
+void FaceMatch::fillElement(Eigen::Index face, double rigidity) {
   const AreaFunctional::Directions directions = areas_.directions(frames_, static_cast<int>(face));
   double* value = &values_[static_cast<std::size_t>(21 * face)];
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b, ++value) {
       *value = weights_[face] * gradients_(face, a) * gradients_(face, b) +
-               edgeStiffness(face, damping, a / 2, b / 2) * directions.row(a).dot(directions.row(b));
+               edgeStiffness(face, rigidity, a / 2, b / 2) * directions.row(a).dot(directions.row(b));
     }
   }
 }
@@ -134,7 +148,7 @@ void FaceMatch::fillElement(Eigen::Index face, double damping) {
 bool FaceMatch::factorise(double damping) {
   parallelFor(static_cast<std::size_t>(stiffness_.size()), workers_, [&](std::size_t begin, std::size_t end) {
     for (auto f = static_cast<Eigen::Index>(begin); f < static_cast<Eigen::Index>(end); ++f) {
-      fillElement(f, damping * stiffness_[f]);
+      fillElement(f, rigidity(f, damping));
     }
   });
   stars_.appendValues(gradients_, &values_[static_cast<std::size_t>(21 * stiffness_.size())]);
@@ -146,8 +160,8 @@ bool FaceMatch::factorise(double damping) {
   return true;
 }
 
-double FaceMatch::edgeStiffness(Eigen::Index face, double damping, int k, int l) const {
-  return (k == l ? damping : -0.5 * damping) + pull_ * shape_.stiffness(face, k, l);
+double FaceMatch::edgeStiffness(Eigen::Index face, double rigidity, int k, int l) const {
+  return (k == l ? rigidity : -0.5 * rigidity) + pull_ * shape_.stiffness(face, k, l);
 }
 
 Coordinates FaceMatch::step(const Coordinates& image) {
@@ -195,6 +209,7 @@ void FaceMatch::stiffen(const Eigen::ArrayXd& flips) {
 }
 
 void FaceMatch::adapt(double step) {
+  ++steps_;
   failures_ = step > 0 ? 0 : failures_ + 1;
   damping_ = std::max(leastDamping_, damping_ * (step == 0 ? 10 : step > 0.7 ? 0.25 : step < 0.2 ? 4 : 0.5));
 }

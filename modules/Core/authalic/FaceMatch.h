@@ -34,6 +34,10 @@ enum class Shapes {
 /// exact gradient of Φ; moves by the part of δ that folds no face and lowers Φ (1/r is a barrier); and adapts ε: ×¼
 /// after a long step, ×4 after a short one, ×10 after none. Where faces would collapse on the way, ε is multiplied for
 /// their edges in the steps to come: a triangle that moves rigidly stays.
+///
+/// What 20 steps have not done is held up by a few faces that the model wants much of, p_t = ω_t (S m_t − a_t) /
+/// (S m_t φ_t), while their areas bend: from there on each adds |p_t| / 17, |p_t| ≤ 10, to the ε of its edges, a tenth
+/// of what bounds the curvature p_t ∂²a_t that the model leaves out.
 class FaceMatch {
  public:
   /// @param targets     m shares > 0, sum 1
@@ -65,6 +69,8 @@ class FaceMatch {
   void restart(double goal) noexcept;
   /// Allows smaller ε and τ than so far: slides along curves of equal area, which buy the last errors with shear.
   void relax() noexcept;
+  /// From now on areas alone, every face as important as its target is large.
+  void freeShapes() noexcept;
 
  private:
   static constexpr double kFirstDamping = 0.02, kUsualDamping = 1e-4, kLeastDamping = 1e-8,
@@ -74,8 +80,9 @@ class FaceMatch {
   void linearise(const Coordinates& image);
   [[nodiscard]] bool factorise(double damping);
   [[nodiscard]] Coordinates step(const Coordinates& image);
-  void fillElement(Eigen::Index face, double damping);
-  [[nodiscard]] double edgeStiffness(Eigen::Index face, double damping, int k, int l) const;
+  void fillElement(Eigen::Index face, double rigidity);
+  [[nodiscard]] double rigidity(Eigen::Index face, double damping) const;  // its ε
+  [[nodiscard]] double edgeStiffness(Eigen::Index face, double rigidity, int k, int l) const;
   // Steps along joint moves of the domain, see AreaFunctional::jointMoves(); in FaceMatchJointly.cxx.
   [[nodiscard]] Coordinates jointStep(const Coordinates& image, const std::vector<Coordinates>& moves) const;
   [[nodiscard]] Coordinates answer(const AreaFunctional::Gradients& slopes, const Coordinates& displacement) const;
@@ -110,7 +117,7 @@ class FaceMatch {
   double pull_, leastPull_ = 1, endPull_ = 0;  // τ
   double pullFalls_;                           // factor per step
   double usualPull_;                           // leastPull_ by the square of the goal
-  int failures_ = 0;
+  int failures_ = 0, steps_ = 0;
 };
 
 }  // namespace authalic

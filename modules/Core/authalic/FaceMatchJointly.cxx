@@ -32,7 +32,7 @@ Coordinates FaceMatch::answer(const AreaFunctional::Gradients& slopes, const Coo
     for (int k = 0; k < 3; ++k) {
       auto force = result.row(faces(f, k));
       force += weights_[f] * grows * slopes.row(f).segment<2>(2 * k);
-      for (int l = 0; l < 3; ++l) force += edgeStiffness(f, damping_ * stiffness_[f], k, l) * moves.row(l);
+      for (int l = 0; l < 3; ++l) force += edgeStiffness(f, rigidity(f, damping_), k, l) * moves.row(l);
     }
   }
   return result;

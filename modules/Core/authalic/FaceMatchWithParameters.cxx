@@ -95,7 +95,7 @@ FaceMatch::PlanarModel FaceMatch::planarModel(const AreaFunctional::Corners& cor
   PlanarModel model{weights_[face] * slopes * slopes.transpose(), weights_[face] * lacking * slopes};
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
-      const double stiffness = edgeStiffness(face, damping_ * stiffness_[face], k, l);
+      const double stiffness = edgeStiffness(face, rigidity(face, damping_), k, l);
       model.second.block<2, 2>(2 * k, 2 * l).diagonal().array() += stiffness;
       model.down.segment<2>(2 * k) -= pull_ * shape_.stiffness(face, k, l) * corners.row(l).transpose();
     }
