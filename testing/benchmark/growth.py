@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Time and memory of the authalic map from 10K to 400K faces of the same shapes, and how they grow.
 
-    growth.py COMMAND DATA [--shape NAME ...] [--faces N ...] [--folder FOLDER] [--plot PICTURE.png]
+    growth.py COMMAND DATA [--domain disk|sphere] [--shape NAME ...] [--faces N ...] [--folder FOLDER]
+              [--plot PICTURE.png]
 
 COMMAND is the built `authalic`, DATA the folder of real test data. A shape is subdivided (Loop) to at least 350,000
-faces and decimated (quadric error) from there; meshes found in FOLDER are not made again. Seconds are the user time of
-`authalic map authalic`, memory its peak resident set. The exponent is that of the least-squares line through the
-logarithms. --plot draws both axes logarithmic, and needs an X server.
+faces and decimated (quadric error) from there, for the sphere with its boundary filled; meshes found in FOLDER are not
+made again. Seconds are the user time of `authalic map authalic`, memory its peak resident set. The exponent is that of
+the least-squares line through the logarithms. --plot draws both axes logarithmic, and needs an X server.
 """
 import argparse
 import pathlib
@@ -17,14 +18,16 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkQuadricDecimation, vtkTriangleFilter
-from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkQuadricDecimation, vtkTriangleFilter
+from vtkmodules.vtkFiltersModeling import vtkFillHolesFilter, vtkLoopSubdivisionFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import runs
 
 DENSE = 350_000
-SHAPES = ("chinese_lion", "human_brain", "camelhead")
+SHAPES = {"disk": ("chinese_lion", "human_brain", "camelhead"), "sphere": ("chinese_lion", "gargoyle", "david")}
+CLOSED = {"gargoyle": "meshes/closed_g0/gargoyle.obj", "david": "meshes/closed_g0/david.off"}
 COLOURS = [(0, 89, 178), (214, 94, 0), (0, 140, 90), (120, 60, 140)]
 
 
@@ -44,12 +47,29 @@ def read_off(path):
     return surface
 
 
+def read(path):
+    if path.suffix == ".off":
+        return read_off(path)
+    reader = vtkOBJReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
 def filtered(algorithm, surface):
     algorithm.SetInputData(surface)
     triangles = vtkTriangleFilter()
     triangles.SetInputConnection(algorithm.GetOutputPort())
     triangles.Update()
     return triangles.GetOutput()
+
+
+def closed(surface):
+    holes, normals = vtkFillHolesFilter(), vtkPolyDataNormals()
+    holes.SetHoleSize(1e9)
+    normals.SplittingOff()
+    normals.ConsistencyOn()
+    return filtered(normals, filtered(holes, surface))
 
 
 def dense(surface):
@@ -60,14 +80,17 @@ def dense(surface):
     return surface
 
 
-def series(options, shape):
+def series(options, shape, close=False):
     """The files of a shape, coarse to fine; makes those that are missing."""
-    files = [options.folder / f"{shape}_{faces // 1000}K.vtp" for faces in options.faces]
+    name = f"{shape}_closed" if close else shape
+    files = [options.folder / f"{name}_{faces // 1000}K.vtp" for faces in options.faces]
     finest = None
     for faces, path in zip(options.faces, files):
         if path.exists():
             continue
-        finest = finest or dense(read_off(options.data / runs.DISKS[shape]))
+        if finest is None:
+            surface = read(options.data / {**runs.DISKS, **CLOSED}[shape])
+            finest = dense(closed(surface) if close else surface)
         decimation = vtkQuadricDecimation()
         decimation.VolumePreservationOn()
         decimation.SetTargetReduction(max(0.0, 1 - faces / finest.GetNumberOfPolys()))
@@ -81,9 +104,9 @@ def series(options, shape):
 def measured(options, shape):
     """Rows of (faces, seconds, MB) of one shape, printed on the way."""
     found = []
-    for path in series(options, shape):
+    for path in series(options, shape, options.domain == "sphere"):
         with tempfile.TemporaryDirectory() as folder:
-            run = runs.Run(options.command, path, ["authalic"], folder)
+            run = runs.Run(options.command, path, ["authalic", "--domain", options.domain], folder)
         faces, megabytes = run.report["topology"]["faces"], run.kilobytes / 1024
         print(runs.row(shape, f"{faces:,}", run.report["status"], run.report["iterations"],
                        f"{run.metrics['area_distortion'] - 2:.1e}", run.report["flips"], f"{run.seconds:.2f}",
@@ -159,7 +182,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("command")
     parser.add_argument("data", type=pathlib.Path)
-    parser.add_argument("--shape", action="append", choices=runs.DISKS)
+    parser.add_argument("--domain", choices=SHAPES, default="disk")
+    parser.add_argument("--shape", action="append", choices=[*runs.DISKS, *CLOSED])
     parser.add_argument("--faces", action="append", type=int)
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--plot", type=pathlib.Path)
@@ -168,7 +192,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         options.folder = options.folder or pathlib.Path(folder)
         print(runs.head("shape", "faces", "status", "steps", "D_area − 2", "folds", "user s", "MB"))
-        tables = {shape: measured(options, shape) for shape in options.shape or SHAPES}
+        tables = {shape: measured(options, shape) for shape in options.shape or SHAPES[options.domain]}
     for shape, table in tables.items():
         if len(table) > 1:
             print(f"\n{shape}: seconds grow as faces^{exponent(table[:, 0], table[:, 1]):.2f}, "
