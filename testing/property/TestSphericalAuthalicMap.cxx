@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/base/Error.h"
@@ -25,6 +28,42 @@ TriangleMesh bumpySphere(int levels, double nose = 1.5) {
   return TriangleMesh(points, sphere.faces());
 }
 
+// A plus sign of nine square cells, `thickness` cells thick, two triangles per square.
+TriangleMesh thickPlus(double thickness) {
+  const auto inside = [](int i, int j) { return i >= 0 && j >= 0 && i < 5 && j < 5 && (i == 2 || j == 2); };
+  std::map<std::array<int, 3>, int> numbers;
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<Eigen::RowVector3i> faces;
+  const auto number = [&](int i, int j, int layer) {
+    const auto [found, fresh] = numbers.try_emplace({i, j, layer}, static_cast<int>(points.size()));
+    if (fresh) points.emplace_back(i, j, thickness * layer);
+    return found->second;
+  };
+  const auto square = [&](int a, int b, int c, int d) {
+    faces.emplace_back(a, b, c);
+    faces.emplace_back(a, c, d);
+  };
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      if (!inside(i, j)) continue;
+      const auto wall = [&](int fromI, int fromJ, int toI, int toJ) {
+        square(number(fromI, fromJ, 0), number(toI, toJ, 0), number(toI, toJ, 1), number(fromI, fromJ, 1));
+      };
+      square(number(i, j, 1), number(i + 1, j, 1), number(i + 1, j + 1, 1), number(i, j + 1, 1));
+      square(number(i, j, 0), number(i, j + 1, 0), number(i + 1, j + 1, 0), number(i + 1, j, 0));
+      if (!inside(i, j - 1)) wall(i, j, i + 1, j);
+      if (!inside(i + 1, j)) wall(i + 1, j, i + 1, j + 1);
+      if (!inside(i, j + 1)) wall(i + 1, j + 1, i, j + 1);
+      if (!inside(i - 1, j)) wall(i, j + 1, i, j);
+    }
+  }
+  Points3 allPoints(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t v = 0; v < points.size(); ++v) allPoints.row(static_cast<Eigen::Index>(v)) = points[v];
+  Faces allFaces(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) allFaces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return TriangleMesh(allPoints, allFaces);
+}
+
 AuthalicMapOptions coarse() {
   AuthalicMapOptions options;
   options.tolerance = 0.02;
@@ -47,6 +86,19 @@ TEST(SphericalAuthalicMap, IsExactAtEveryVertex) {
   for (const double nose : {0.0, 1.5, 4.0}) {
     const SphereMesh sphere(bumpySphere(4, nose));
     expectExact(sphere.mesh(), sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), coarse()));
+  }
+}
+
+// Caps of so few faces stay folded; the conformal map, far from its targets, is a start all the same.
+TEST(SphericalAuthalicMap, StartsFromTheConformalMapWhereCapsStayFolded) {
+  for (const double thickness : {0.3, 1.0, 3.0}) {
+    const SphereMesh sphere(thickPlus(thickness));
+    AuthalicMapOptions options;
+    options.tolerance = 0.05;
+    const SphericalAuthalicMapResult result =
+        sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), options);
+    EXPECT_EQ(result.flippedFaces, 0) << thickness;
+    EXPECT_EQ(result.status, Status::Converged) << thickness << ' ' << result.faceResidual << ' ' << result.iterations;
   }
 }
 

@@ -43,16 +43,14 @@ Points3 makeStart(const SphereMesh& sphere, const TargetMeasure& target, const A
   } else {
     guide = unfoldOnSphere(sphere, initial).image;
   }
-  if (initial.size() == 0 || countFlippedOnSphere(guide, sphere.mesh().faces()) > 0 ||
-      farthestStar(sphere, target, guide) > kUsable) {
-    guide = twoCapsStart(sphere, guide, target, options.solver, kWithinSight, execution.part(0.3, 1));
-  }
-  const int folded = countFlippedOnSphere(guide, sphere.mesh().faces());
-  if (folded > 0 && !execution.cancelled()) {
-    throw GeometryError("A start without folded faces is required, but " + std::to_string(folded) +
-                        " faces stay folded on the sphere; give an initial map without folds.");
-  }
-  return guide;
+  const int foldedGuide = countFlippedOnSphere(guide, sphere.mesh().faces());
+  if (initial.size() > 0 && foldedGuide == 0 && farthestStar(sphere, target, guide) <= kUsable) return guide;
+  Points3 start = twoCapsStart(sphere, guide, target, options.solver, kWithinSight, execution.part(0.3, 1));
+  const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
+  if (folded == 0 || execution.cancelled()) return start;
+  if (foldedGuide == 0) return guide;  // far from its targets, but a start
+  throw GeometryError("A start without folded faces is required, but " + std::to_string(folded) +
+                      " faces stay folded on the sphere; give an initial map without folds.");
 }
 
 }  // namespace

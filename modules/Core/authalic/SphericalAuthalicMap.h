@@ -14,8 +14,9 @@ struct SphericalAuthalicMapResult : AuthalicSolution {
 /// Maps a genus-0 surface to the unit sphere so that every vertex star has its target solid angle, as authalicMap().
 ///
 /// Areas are solid angles, which tile the sphere exactly; every vertex moves along its tangent plane. The start is
-/// made of two disks on two caps (see twoCapsStart in authalic/), or is `initial`. The rotation is the one that
-/// brings the image closest to the surface (SphereRotation::Surface).
+/// made of two disks on two caps (see twoCapsStart in authalic/), or is `initial`; where caps stay folded, as those of
+/// a few dozen faces may, it is the conformal map. The rotation is the one that brings the image closest to the
+/// surface (SphereRotation::Surface).
 ///
 /// @param initial  n×3 on the unit sphere, or empty. One whose areas are far from their targets (a conformal map of a
 ///                 cortex) only decides where the two disks meet.
