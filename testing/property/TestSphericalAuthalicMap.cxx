@@ -89,7 +89,7 @@ TEST(SphericalAuthalicMap, IsExactAtEveryVertex) {
   }
 }
 
-// Caps of so few faces stay folded; the conformal map, far from its targets, is a start all the same.
+// The caps of the thickest stay folded; the conformal map, far from its targets, is a start all the same.
 TEST(SphericalAuthalicMap, StartsFromTheConformalMapWhereCapsStayFolded) {
   for (const double thickness : {0.3, 1.0, 3.0}) {
     const SphereMesh sphere(thickPlus(thickness));

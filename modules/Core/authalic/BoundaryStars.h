@@ -9,8 +9,9 @@
 namespace authalic {
 
 /// B(a) = κ Σ_v ω_v n_v (s_v + 1/s_v − 2) over the vertices with one freedom: n_v and s_v n_v are the target and the
-/// share of the faces around v, ω_v their importance, and κ = m / 2500 on m faces, but at least 10 and at most 30: a
-/// star counts alike against the sum over all faces, however many they are.
+/// share of the faces around v, ω_v their importance, and κ = m / 2500 on m faces, but at least 10 and at most 30.
+/// From 25,000 faces to 75,000 a star so counts alike against the sum over all faces, however many they are; with less
+/// than 10, stars of small meshes are held up by their neighbours.
 ///
 /// A star on a boundary is a few faces, which must have their area exactly when stars are matched afterwards. It gets
 /// it by slides of its neighbours along the boundary, far around; faces near their targets hardly ask for them.

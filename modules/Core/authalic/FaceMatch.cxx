@@ -20,10 +20,10 @@ constexpr double kNearerStars = 0.5;      // by this factor at least, in one ste
 constexpr double kAstray = 2;             // times what faces are, or may be, after such a step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
 constexpr double kEndPull = 1e-3;         // of the usual one
-constexpr int kStepsWithoutCurvature = 20;  // before faces far from their targets get stiffer
-// Of what the model wants of the area of a face: |½ δᵀ ∂²a δ| ≤ Σ |δ_i − δ_j|² / (4 √3), and of that a tenth.
+constexpr int kStepsWithoutCurvature = 20;  // before faces that the model wants much of get stiffer
+// ε by |p_t|: a tenth of what |½ δᵀ ∂²a δ| ≤ Σ |δ_i − δ_j|² / (4 √3) asks for.
 constexpr double kCurvature = 0.1 / 1.7320508075688772;
-constexpr double kMostWanted = 10;  // in that: what has nearly collapsed must open, not become rigid
+constexpr double kMostWanted = 10;          // |p_t|: a face that has nearly collapsed must open, not become rigid
 constexpr double kStiffer = 10, kStiffest = 1e6, kSofter = 0.7;
 
 // τ of the first step, its factor per step, and where it usually ends, by the square of the goal.
