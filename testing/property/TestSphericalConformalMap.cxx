@@ -297,6 +297,29 @@ TEST(UnfoldOnSphere, RepairsFoldsInSeveralPlacesAtOnce) {
   EXPECT_EQ(unfoldOnSphere(mesh, image).flippedFaces, 0);
 }
 
+// A ring of vertices beyond the next one: a patch around its folds goes around the sphere.
+TEST(UnfoldOnSphere, RepairsFoldsThatGoAroundTheSphere) {
+  const SphereMesh mesh(capsuleMesh(8, 1));
+  const auto image = [&mesh](double rise) {
+    Points3 result(mesh.mesh().vertexCount(), 3);
+    for (int v = 0; v < result.rows(); ++v) {
+      const Eigen::Vector3d p = mesh.mesh().point(v);
+      const double angle = std::atan2(p[1], p[0]),
+                   height = p[2] / (2 * M_PI + 1) + (std::abs(p[2]) < 0.3 ? rise : 0),
+                   radius = std::sqrt(std::max(0.0, 1 - height * height));
+      result.row(v) << radius * std::cos(angle), radius * std::sin(angle), height;
+    }
+    return result;
+  };
+  ASSERT_EQ(countFlippedOnSphere(image(0), mesh.mesh().faces()), 0);
+  const Points3 folded = image(0.2);
+  ASSERT_GT(countFlippedOnSphere(folded, mesh.mesh().faces()), 10);
+  const SphereUnfolding unfolded = unfoldOnSphere(mesh, folded);
+  EXPECT_EQ(unfolded.flippedFaces, 0);
+  EXPECT_EQ(countFlippedOnSphere(unfolded.image, mesh.mesh().faces()), 0);
+  EXPECT_LT((unfolded.image.rowwise().norm().array() - 1).abs().maxCoeff(), 1e-12);
+}
+
 TEST(UnfoldOnSphere, CountsWhatItCannotRepair) {
   const SphereMesh mesh(sphereMesh(2));
   const SphereUnfolding mirrored = unfoldOnSphere(mesh, -mesh.mesh().points());  // every face is folded

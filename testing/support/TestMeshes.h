@@ -141,4 +141,56 @@ inline TriangleMesh wavySphere(int levels) {
   return TriangleMesh(points, mesh.faces());
 }
 
+/// A cylinder of radius 1 and 2 `length` circumferences along z with a hemisphere at each end; rings of `around` vertices
+/// an edge apart (fewer towards the poles), each turned by itself, and vertices up to a sixth of an edge off.
+inline TriangleMesh capsuleMesh(int around, double length, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  const auto uniform = [&random](double most) { return most * (2.0 * random() / 4294967296.0 - 1); };
+  const double half = 2 * M_PI * length, edge = 2 * M_PI / around, rise = edge * std::sqrt(0.75);
+  std::vector<std::array<double, 2>> profile;  // z, radius
+  const int along = std::max(1, static_cast<int>(std::lround(2 * half / rise))),
+            over = std::max(2, static_cast<int>(std::lround(M_PI / 2 / rise)));
+  const auto cap = [over](int k) { return M_PI / 2 * k / over; };
+  for (int k = over - 1; k > 0; --k) profile.push_back({-half - std::sin(cap(k)), std::cos(cap(k))});
+  for (int k = 0; k <= along; ++k) profile.push_back({half * (2.0 * k / along - 1), 1});
+  for (int k = 1; k < over; ++k) profile.push_back({half + std::sin(cap(k)), std::cos(cap(k))});
+  std::vector<Eigen::RowVector3d> points{{0, 0, -half - 1}};
+  std::vector<std::vector<int>> rings{{0}};
+  for (const auto& [z, radius] : profile) {
+    const int count = std::max(5, static_cast<int>(std::lround(around * radius)));
+    const double start = uniform(M_PI), shake = radius == 1 ? edge / 6 : 0;
+    rings.emplace_back();
+    for (int k = 0; k < count; ++k) {
+      const double angle = start + 2 * M_PI * (k + uniform(1.0 / 6)) / count;
+      rings.back().push_back(static_cast<int>(points.size()));
+      points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z + uniform(shake));
+    }
+  }
+  rings.push_back({static_cast<int>(points.size())});
+  points.emplace_back(0, 0, half + 1);
+  std::vector<Eigen::RowVector3i> faces;
+  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
+    const std::vector<int>&lower = rings[r], &upper = rings[r + 1];
+    const std::size_t below = lower.size() == 1 ? 0 : lower.size(), above = upper.size() == 1 ? 0 : upper.size();
+    const auto distance = [&](int a, int b) {
+      return (points[static_cast<std::size_t>(a)] - points[static_cast<std::size_t>(b)]).norm();
+    };
+    std::size_t first = 0;  // of the upper ring, nearest to the first of the lower one
+    for (std::size_t j = 1; j < upper.size(); ++j) {
+      if (distance(upper[j], lower[0]) < distance(upper[first], lower[0])) first = j;
+    }
+    for (std::size_t i = 0, j = 0; i < below || j < above;) {
+      const int a = lower[i % lower.size()], b = lower[(i + 1) % lower.size()], c = upper[(first + j) % upper.size()],
+                d = upper[(first + j + 1) % upper.size()];
+      if (j == above || (i < below && distance(b, c) <= distance(d, a))) faces.emplace_back(a, b, c), ++i;
+      else faces.emplace_back(a, d, c), ++j;
+    }
+  }
+  Points3 allPoints(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t v = 0; v < points.size(); ++v) allPoints.row(static_cast<Eigen::Index>(v)) = points[v];
+  Faces allFaces(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) allFaces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return TriangleMesh(allPoints, allFaces);
+}
+
 }  // namespace authalic::testing

@@ -11,11 +11,13 @@
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/initial/BarycentricSystem.h"
+#include "Core/initial/Untangle.h"
 
 namespace authalic {
 namespace {
 
 constexpr int kMostRings = 32;
+constexpr double kFewFolds = 0.1;      // of the faces: an image turned inside out is not untangled
 constexpr double kLowestHeight = 0.1;  // of the patch above the plane through the centre of the sphere
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -123,12 +125,11 @@ class Patch {
     return fewest < before;
   }
 
-  void store(Points3& image, std::vector<char>& moved) const {
+  void store(Points3& image) const {
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       if (held_[i]) continue;
       const Eigen::RowVector2d p = plane_.row(static_cast<Eigen::Index>(i));
       image.row(vertices_[i]) = (Eigen::RowVector3d(p[0], p[1], 1) * frame_).normalized();
-      moved[at(vertices_[i])] = 1;
     }
   }
 
@@ -166,19 +167,27 @@ SphereUnfolding unfoldOnSphere(const SphereMesh& sphere, Points3 image) {
   }
   requireOnUnitSphere(image);
   const Faces& faces = sphere.mesh().faces();
+  const Points3 before = image;
   SphereUnfolding result{std::move(image), 0, 0, 0};
   result.flippedFaces = countFlippedOnSphere(result.image, faces);
-  std::vector<char> moved(at(sphere.mesh().vertexCount()), 0);
   for (int rings = 1; rings <= kMostRings && result.flippedFaces > 0; rings += (rings + 1) / 2) {
     ++result.rounds;
     const std::vector<char> marked = verticesNearFolds(result.image, faces, rings);
     for (const std::vector<int>& patchFaces : patchesOf(sphere, marked)) {
       Patch patch(sphere, result.image, patchFaces, marked);
-      if (patch.fits() && patch.folds() > 0 && patch.embed()) patch.store(result.image, moved);
+      if (patch.fits() && patch.folds() > 0 && patch.embed()) patch.store(result.image);
     }
     result.flippedFaces = countFlippedOnSphere(result.image, faces);
   }
-  result.movedVertices = static_cast<int>(std::count(moved.begin(), moved.end(), 1));
+  if (result.flippedFaces > 0 && result.flippedFaces <= kFewFolds * sphere.mesh().faceCount()) {
+    Points3 untangled = untangleOnSphere(sphere.topology(), result.image);
+    const int left = countFlippedOnSphere(untangled, faces);
+    if (left < result.flippedFaces) {
+      result.image = std::move(untangled);
+      result.flippedFaces = left;
+    }
+  }
+  for (Eigen::Index v = 0; v < before.rows(); ++v) result.movedVertices += result.image.row(v) != before.row(v);
   return result;
 }
 

@@ -10,7 +10,7 @@ namespace authalic {
 struct SphereUnfolding {
   Points3 image;          ///< n×3 on the unit sphere
   int rounds = 0;
-  int movedVertices = 0;  ///< vertices that any round has moved
+  int movedVertices = 0;  ///< whose place is not that of the input
   int flippedFaces = 0;   ///< folds that are left
 };
 
@@ -22,9 +22,10 @@ struct SphereUnfolding {
 /// **surface** @cite floater2003, the others held. Positive weights do not fold within a convex outline; outlines
 /// here are what they are, so a patch that stays folded is tried with equal weights and then wider. A patch is kept
 /// only if it has fewer folds than before. The mean-value weights keep angles nearly as well as the cotangent
-/// weights that folded.
+/// weights that folded. Folds that patches leave, those of rings that go around the sphere among them, are untangled
+/// vertex by vertex, see untangleOnSphere(), if they are at most a tenth of the faces.
 ///
-/// Does **not** guarantee success → `flippedFaces`; a patch wider than a hemisphere is left alone.
+/// Does **not** guarantee success → `flippedFaces`; a patch or star wider than a hemisphere is left alone.
 /// Complexity: one small sparse solve per patch and round.
 /// @throws GeometryError when a point is off the sphere or sizes differ
 [[nodiscard]] SphereUnfolding unfoldOnSphere(const SphereMesh& sphere, Points3 image);

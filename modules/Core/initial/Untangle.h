@@ -1,5 +1,5 @@
 /// @file
-/// Removes folded faces from a planar image of any outline by moving one vertex at a time.
+/// Removes folded faces from an image of any outline by moving one vertex at a time.
 #pragma once
 
 #include "Core/initial/Unfold.h"
@@ -23,6 +23,12 @@ namespace authalic {
 /// @param least  m areas or empty: faces with no larger area are treated as folded ones; not counted in
 /// `flippedFaces`
 [[nodiscard]] UnfoldResult untangle(const SurfaceTopology& topology, Points2 image, const Eigen::VectorXd& least = {});
+
+/// The same on the unit sphere: every star is seen in the gnomonic projection from its own middle, in which great circles
+/// are lines; one wider than a hemisphere stays.
+/// @param image  n×3 of length 1
+/// @return it, with as many vertices moved as that takes; folds may stay
+[[nodiscard]] Points3 untangleOnSphere(const SurfaceTopology& topology, Points3 image);
 
 /// unfold() with UnfoldReach::Patches, and where that leaves folds untangle() instead: for domains that are not
 /// convex.
