@@ -4,11 +4,13 @@
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/NarrowFaces.h"
 #include "Core/geometry/Areas.h"
+#include "Core/geometry/SphericalAreas.h"
 #include "support/TestMeshes.h"
 
 using namespace authalic;
 using authalic::testing::diskMesh;
 using authalic::testing::gridMesh;
+using authalic::testing::sphereMesh;
 
 namespace {
 
@@ -39,6 +41,31 @@ TEST(NarrowFaces, AreOpenedInTheirPatchAndNothingElseMoves) {
   for (Eigen::Index v = 0; v < plain.rows(); ++v) {
     if ((plain.row(v) - centre).norm() < 0.5) continue;
     EXPECT_EQ(opened.image.row(v), image.row(v));
+  }
+}
+
+TEST(NarrowFaces, AreOpenedOnTheSphereInTheirPatchAndNothingElseMoves) {
+  const SphereMesh sphere(sphereMesh(5));
+  const Faces& faces = sphere.mesh().faces();
+  const TargetMeasure target(sphere.mesh());
+  const Eigen::RowVector3d centre = Eigen::RowVector3d(0.2, 0.1, 1).normalized();
+  const double radius = 0.15;
+  Points3 image = sphere.mesh().points();
+  for (auto point : image.rowwise()) {
+    const Eigen::RowVector3d arm = point - centre;
+    if (arm.norm() < radius) point = (centre + arm * std::pow(arm.norm() / radius, 3)).normalized();
+  }
+  const auto smallest = [&](const Points3& x) {
+    return (signedSolidAngles(x, faces).array() / (4 * M_PI * target.faces().array())).minCoeff();
+  };
+  ASSERT_GT(smallest(image), 0);
+  ASSERT_LT(smallest(image), 1e-3);
+  Points3 opened = image;
+  openNarrowFacesOnSphere(sphere, target, SolverBackend::Automatic, opened);
+  EXPECT_GE(smallest(opened), 0.01);
+  for (Eigen::Index v = 0; v < image.rows(); ++v) {
+    if ((sphere.mesh().points().row(v) - centre).norm() < 1) continue;
+    EXPECT_EQ(opened.row(v), image.row(v));
   }
 }
 

@@ -8,13 +8,15 @@
 #include "Core/authalic/FaceMatch.h"
 #include "Core/authalic/Patches.h"
 #include "Core/authalic/PlanarAreas.h"
+#include "Core/authalic/SolidAngles.h"
 #include "Core/geometry/Areas.h"
+#include "Core/geometry/SphericalAreas.h"
 
 namespace authalic {
 namespace {
 
 constexpr double kCollapsed = 1e-4;           // share of its target from where a face does not open by itself
-constexpr double kNarrow = 0.1, kOpen = 0.3;  // share of a face by its target, in the image and in its patch
+constexpr Narrowness kOnSphere{0.01, 0.03};
 constexpr int kMostSteps = 60;                // in a patch
 constexpr double kGoal = 0.1;                 // residual of a patch, by far smaller than that of an open one
 
@@ -45,10 +47,28 @@ class PatchAreas final : public AreaFunctional {
   }
 };
 
+// Rings of 4, 8 and 16 around the faces that are narrow, the rest held.
+template <class Image, class Areas, class AreasOf>
+void openInPatches(const Faces& faces, const std::vector<char>& held, const TargetMeasure& target,
+                   const Points3& surface, SolverBackend backend, const Narrowness& narrowness, const Areas& areas,
+                   const AreasOf& areasOf, Image& image) {
+  for (const int rings : {4, 8, 16}) {
+    const auto narrow = narrowFaces(areas(image), target, narrowness);
+    if (!narrow.any()) break;
+    const Parts parts = partsBetween(heldAround(faces, held, narrow, rings), faces);
+    for (const Patch& patch : patchesOf(parts, faces)) {
+      Coordinates points = image(patch.vertices, Eigen::all);
+      openPatch(areasOf(patch), target.faces()(patch.faces), surface(patch.vertices, Eigen::all), backend, points,
+                narrowness);
+      image(patch.vertices, Eigen::all) = points;
+    }
+  }
+}
+
 }  // namespace
 
 void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
-               Coordinates& points) {
+               Coordinates& points, const Narrowness& narrowness) {
   shares /= shares.sum();
   AnalysedSystems systems;
   FaceMatch match(areas, shares, cotangentWeights(surface, areas.faces()), backend, Shapes::Free, systems);
@@ -57,11 +77,12 @@ void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points
     const Eigen::VectorXd a = areas.areas(points);
     return (a.array() / (a.sum() * shares.array())).minCoeff();
   };
-  for (int k = 0; k < kMostSteps && !match.stalled() && narrowest() < kOpen; ++k) match.advance(points);
+  for (int k = 0; k < kMostSteps && !match.stalled() && narrowest() < narrowness.open; ++k) match.advance(points);
 }
 
-Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target) {
-  return areas.array() < kNarrow * areas.sum() * target.faces().array();
+Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target,
+                                                  const Narrowness& narrowness) {
+  return areas.array() < narrowness.narrow * areas.sum() * target.faces().array();
 }
 
 UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
@@ -71,19 +92,18 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
       unfold(disk.topology(), reviveCollapsedFaces(disk, image, target, backend, kCollapsed), execution);
   if (result.flippedFaces > 0) return result;
   result.image = reviveCollapsedFaces(disk, result.image, target, backend, kCollapsed);
-  for (const int rings : {4, 8, 16}) {
-    const Eigen::VectorXd areas = signedFaceAreas(result.image, faces);
-    const auto narrow = narrowFaces(areas, target);
-    if (!narrow.any()) break;
-    const Parts parts = partsBetween(heldAround(faces, disk.topology().onBoundary(), narrow, rings), faces);
-    for (const Patch& patch : patchesOf(parts, faces)) {
-      Coordinates points = result.image(patch.vertices, Eigen::all);
-      openPatch(PatchAreas(patch.corners, patch.freedom), target.faces()(patch.faces),
-                disk.mesh().points()(patch.vertices, Eigen::all), backend, points);
-      result.image(patch.vertices, Eigen::all) = points;
-    }
-  }
+  openInPatches(faces, disk.topology().onBoundary(), target, disk.mesh().points(), backend, {},
+                [&faces](const Points2& points) { return signedFaceAreas(points, faces); },
+                [](const Patch& patch) { return PatchAreas(patch.corners, patch.freedom); }, result.image);
   return result;
+}
+
+void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
+                             Points3& image) {
+  const Faces& faces = sphere.mesh().faces();
+  openInPatches(faces, std::vector<char>(static_cast<std::size_t>(image.rows()), 0), target, sphere.mesh().points(),
+                backend, kOnSphere, [&faces](const Points3& points) { return signedSolidAngles(points, faces); },
+                [](const Patch& patch) { return SolidAngles(patch.corners, patch.freedom); }, image);
 }
 
 }  // namespace authalic

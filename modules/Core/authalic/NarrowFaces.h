@@ -6,6 +6,7 @@
 #include "Core/authalic/TargetMeasure.h"
 #include "Core/initial/Unfold.h"
 #include "Core/mesh/DiskMesh.h"
+#include "Core/mesh/SphereMesh.h"
 #include "Core/numerics/SparseSolver.h"
 
 namespace authalic {
@@ -26,16 +27,28 @@ namespace authalic {
 [[nodiscard]] UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend, const Execution& execution);
 
-/// Face steps on areas alone in one patch, at most 60, until each of its faces has a third of its share in it.
+/// The same patches on the unit sphere, around faces that have less than a hundredth of their share, opened to three of
+/// them: there the start of long limbs is far from its targets, and nothing is wrong with a tenth.
+/// @param image  n×3, no face folded; stays so
+void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
+                             Points3& image);
+
+/// Shares of their targets below which faces are opened, and which they have then: of a face by itself, and in its patch.
+struct Narrowness {
+  double narrow = 0.1, open = 0.3;
+};
+
+/// Face steps on areas alone in one patch, at most 60, until each of its faces is open.
 /// @param areas    of the patch, its rim held
 /// @param shares   targets of its faces, of any sum
 /// @param surface  of its vertices
 /// @param points   its image, no face folded
 void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
-               Coordinates& points);
+               Coordinates& points, const Narrowness& narrowness = {});
 
-/// m flags: faces with less than a tenth of their share.
+/// m flags.
 [[nodiscard]] Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas,
-                                                                const TargetMeasure& target);
+                                                                const TargetMeasure& target,
+                                                                const Narrowness& narrowness = {});
 
 }  // namespace authalic

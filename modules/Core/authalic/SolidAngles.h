@@ -2,6 +2,9 @@
 /// Solid angles of a spherical image whose vertices move on the sphere. Private to authalic/.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "Core/authalic/AreaFunctional.h"
 
 namespace authalic {
@@ -10,6 +13,8 @@ namespace authalic {
 class SolidAngles final : public AreaFunctional {
  public:
   SolidAngles(const Faces& faces, int vertexCount);
+  /// @param freedom  n values: 2, or 0 where a vertex is held
+  SolidAngles(const Faces& faces, std::vector<char> freedom) : AreaFunctional(faces, std::move(freedom)) {}
 
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
