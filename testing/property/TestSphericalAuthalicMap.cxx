@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "Core/authalic/SphericalAuthalicMap.h"
@@ -99,6 +100,16 @@ TEST(SphericalAuthalicMap, StartsFromTheConformalMapWhereCapsStayFolded) {
         sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()), options);
     EXPECT_EQ(result.flippedFaces, 0) << thickness;
     EXPECT_EQ(result.status, Status::Converged) << thickness << ' ' << result.faceResidual << ' ' << result.iterations;
+  }
+}
+
+// The harmonic map shrinks the tips to e^-15 … e^-22 of the middle.
+TEST(SphericalAuthalicMap, TakesLongLimbs) {
+  for (const auto& [around, length] : {std::pair(24, 2.5), std::pair(24, 3.0), std::pair(32, 3.5)}) {
+    const SphereMesh sphere(capsuleMesh(around, length));
+    const SphericalAuthalicMapResult result = sphericalAuthalicMap(sphere, TargetMeasure(sphere.mesh()));
+    expectExact(sphere.mesh(), result);
+    EXPECT_LT(result.iterations, 150) << around << ' ' << length;
   }
 }
 

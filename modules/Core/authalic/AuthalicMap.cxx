@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
-#include "Core/authalic/BalancedStart.h"
-#include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/PlanarAreas.h"
 #include "Core/authalic/RoomOnCircle.h"
 #include "Core/authalic/StretchStart.h"
@@ -55,27 +53,6 @@ struct Start {
   bool stretched = false;  // another one may lead farther
 };
 
-// The boundary of a placement and a balanced barycentric map inside.
-Start balanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
-               const AuthalicMapOptions& options, const Execution& execution) {
-  const Points2 image = balancedStart(disk, boundary, target, options.solver, kWithinSight, execution.part(0, 0.9));
-  UnfoldResult opened = openNarrowFaces(disk, image, target, options.solver, execution.part(0.9, 1));
-  return {std::move(opened.image), opened.flippedFaces};
-}
-
-// The same with the fixed point of the stretch energy inside, where its stars come within sight and its folds are few:
-// better angles.
-Start stretchedOrBalanced(const DiskMesh& disk, const Points2& boundary, const TargetMeasure& target,
-                          const AuthalicMapOptions& options, const Execution& execution) {
-  const StretchStart stretched =
-      stretchStart(disk, boundary, target, options.solver, kWellInSight, execution.part(0, 0.9));
-  if (stretched.usable(kWithinSight, disk.mesh().faceCount())) {
-    UnfoldResult opened = openNarrowFaces(disk, stretched.image, target, options.solver, execution.part(0.9, 1));
-    if (opened.flippedFaces == 0) return {std::move(opened.image), 0, true};
-  }
-  return balanced(disk, boundary, target, options, execution);
-}
-
 Start makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points2& image, const TargetMeasure& target,
                 const AuthalicMapOptions& options, bool given, const Execution& execution) {
   for (std::size_t i = 0; i < placement.vertices.size(); ++i) {
@@ -86,7 +63,12 @@ Start makeStart(const DiskMesh& disk, const BoundaryPlacement& placement, Points
     UnfoldResult unfolded = unfold(disk.topology(), image, execution);
     start = {std::move(unfolded.image), unfolded.flippedFaces};
   } else {
-    start = stretchedOrBalanced(disk, image, target, options, execution);
+    for (const StretchRounds rounds : kStretchRoundsInTurn) {
+      StretchStart made =
+          stretchStart(disk, image, target, options.solver, kWithinSight, kWellInSight, rounds, execution);
+      start = {std::move(made.opened.image), made.opened.flippedFaces, made.stretched};
+      if (start.folded == 0 || !start.stretched || execution.cancelled()) break;
+    }
   }
   if (start.folded > 0 && !execution.cancelled()) {
     throw GeometryError("An initial map that can be unfolded is required, but " + std::to_string(start.folded) +
@@ -110,8 +92,9 @@ AreaSolveResult solve(const PlanarAreas& areas, const DiskMesh& disk, const Targ
   if (solved.status == Status::Converged || solved.status == Status::Cancelled || options.maxIterations == 0) {
     return solved;
   }
-  const Start other = balanced(disk, boundary, target, options, execution.part(0.6, 0.7));
-  if (other.folded > 0) return solved;
+  const UnfoldResult other = stretchStart(disk, boundary, target, options.solver, kWithinSight, kWellInSight,
+                                          StretchRounds::None, execution.part(0.6, 0.7)).opened;
+  if (other.flippedFaces > 0) return solved;
   AreaSolveResult second =
       solveAreas(areas, disk.mesh(), target, other.image, options, execution.part(0.7, 1), Shapes::Free, &systems);
   const bool cancelled = second.status == Status::Cancelled;

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/StretchStart.h"
 #include "Core/conformal/UnfoldOnSphere.h"
@@ -143,7 +142,8 @@ LocalMesh extract(const TriangleMesh& whole, Half& half) {
 }
 
 Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char which, int startVertex,
-              const TargetMeasure& target, SolverBackend backend, double goodEnough, const Execution& execution) {
+              StretchRounds rounds, const TargetMeasure& target, SolverBackend backend, double goodEnough,
+              const Execution& execution) {
   Half half;
   for (int f = 0; f < static_cast<int>(side.size()); ++f) {
     if (side[at(f)] == which) half.faces.push_back(f);
@@ -159,12 +159,8 @@ Half makeHalf(const SphereMesh& sphere, const std::vector<char>& side, char whic
   tutte.startVertex = local.number[at(startVertex)];
   tutte.solver = backend;
   const Points2 plain = barycentricMap(disk, tutte).image;
-  const StretchStart stretched =
-      stretchStart(disk, plain, own, backend, kWellInSight * goodEnough, execution.part(0, 0.5));
-  const bool usable = stretched.usable(goodEnough, disk.mesh().faceCount());
-  const Points2 start =
-      usable ? stretched.image : balancedStart(disk, plain, own, backend, goodEnough, execution.part(0.5, 0.9));
-  half.image = openNarrowFaces(disk, start, own, backend, execution.part(0.9, 1)).image;
+  half.image = stretchStart(disk, plain, own, backend, goodEnough, kWellInSight * goodEnough, rounds, execution)
+                   .opened.image;
   return half;
 }
 
@@ -179,8 +175,9 @@ void projectToCap(const Half& half, double sign, Points3& image) {
   }
 }
 
-Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& image, const TargetMeasure& target,
-                       SolverBackend backend, double goodEnough, const Execution& execution) {
+Points3 startDividedAt(double height, StretchRounds rounds, const SphereMesh& sphere, const Points3& image,
+                       const TargetMeasure& target, SolverBackend backend, double goodEnough,
+                       const Execution& execution) {
   const std::vector<char> side = northernDisk(sphere, image, height);
   int startVertex = 0;
   for (int h = 0; h < 3 * static_cast<int>(side.size()); ++h) {
@@ -191,7 +188,7 @@ Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& i
   std::array<Half, 2> halves;  // south, north
   const auto make = [&](std::size_t begin, std::size_t end) {
     for (std::size_t h = begin; h < end; ++h) {
-      halves[h] = makeHalf(sphere, side, h == 1, startVertex, target, backend, goodEnough,
+      halves[h] = makeHalf(sphere, side, h == 1, startVertex, rounds, target, backend, goodEnough,
                            h == 0 ? execution : execution.silent());
     }
   };
@@ -200,7 +197,9 @@ Points3 startDividedAt(double height, const SphereMesh& sphere, const Points3& i
   projectToCap(halves[0], -1, start);
   projectToCap(halves[1], 1, start);
   start.rowwise().normalize();
-  return unfoldOnSphere(sphere, std::move(start)).image;
+  SphereUnfolding unfolded = unfoldOnSphere(sphere, std::move(start));
+  if (unfolded.flippedFaces == 0) openNarrowFacesOnSphere(sphere, target, backend, unfolded.image);
+  return std::move(unfolded.image);
 }
 
 // A third of a turn about (1, 1, 1): another axis points north.
@@ -218,12 +217,14 @@ Points3 twoCapsStart(const SphereMesh& sphere, const Points3& image, const Targe
   int fewest = std::numeric_limits<int>::max();
   for (int axis = 0; axis < 3; ++axis, guide = turned(guide)) {
     for (const double height : kHeights) {
-      Points3 start = startDividedAt(height, sphere, guide, target, backend, goodEnough, execution);
-      const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
-      if (folded >= fewest) continue;
-      fewest = folded;
-      best = std::move(start);
-      if (folded == 0 || execution.cancelled()) return best;
+      for (const StretchRounds rounds : kStretchRoundsInTurn) {
+        Points3 start = startDividedAt(height, rounds, sphere, guide, target, backend, goodEnough, execution);
+        const int folded = countFlippedOnSphere(start, sphere.mesh().faces());
+        if (folded >= fewest) continue;
+        fewest = folded;
+        best = std::move(start);
+        if (folded == 0 || execution.cancelled()) return best;
+      }
     }
   }
   return best;
