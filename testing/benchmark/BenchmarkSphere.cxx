@@ -3,10 +3,12 @@
 #include <map>
 #include <string>
 
+#include "Core/authalic/SphericalAuthalicMap.h"
 #include "Core/conformal/SphericalConformalMap.h"
 #include "Core/distortion/SphericalDistortion.h"
 #include "Formats/SurfaceFile.h"
 #include "support/SharedData.h"
+#include "support/TestMeshes.h"
 
 using namespace authalic;
 using namespace authalic::testing;
@@ -47,6 +49,24 @@ void sphericalConformal(benchmark::State& state) {
 }
 BENCHMARK(sphericalConformal)
     ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2}})->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+// Capsules of 2 n circumferences, `around` edges around: how long limbs may be.
+void limbs(benchmark::State& state) {
+  const auto around = static_cast<int>(state.range(0));
+  const SphereMesh sphere(capsuleMesh(around, state.range(1) / 2.0, static_cast<unsigned>(state.range(2))));
+  const TargetMeasure target(sphere.mesh());
+  for (auto _ : state) {
+    const SphericalAuthalicMapResult result = sphericalAuthalicMap(sphere, target);
+    state.counters["faces"] = sphere.mesh().faceCount();
+    state.counters["converged"] = result.status == Status::Converged;
+    state.counters["iterations"] = result.iterations;
+    state.counters["excess"] = result.faceResidual * result.faceResidual;
+    state.counters["degrees"] = measureSphericalDistortion(sphere.mesh(), result.image).summary.meanAngleError;
+  }
+}
+BENCHMARK(limbs)
+    ->ArgNames({"around", "twice_n", "seed"})->ArgsProduct({{16, 24, 32, 48}, {2, 4, 6, 8}, {1, 2, 3}})
+    ->Iterations(1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace
 

@@ -49,9 +49,8 @@ struct AuthalicMapResult : AuthalicSolution {
 /// Maps a disk to a planar domain so that every vertex star has its target area and every face nearly so.
 ///
 /// 1. *Start*: `initial`, or rounds of the fixed point of the stretch energy @cite yueh2019 from the harmonic map,
-/// with
-///    room for ears on the circle; where that folds too much or does not get within sight of the areas, a reweighted
-///    Tutte map (see makeRoomOnCircle, stretchStart and balancedStart in authalic/).
+///    with room for ears on the circle; where those fold too much or stay far from the areas, a reweighted Tutte map,
+///    if that is nearer (see makeRoomOnCircle, stretchStart and balancedStart in authalic/).
 /// 2. *Face steps*: damped Gauss–Newton on D_area = Σ_t m_t (r_t + 1/r_t), r the image share of a face by its
 ///    target m, together with the Dirichlet energy of the map at a weight that falls to nothing: of the many
 ///    area-preserving maps one with good angles. Inner vertices move freely, those of the boundary along it.

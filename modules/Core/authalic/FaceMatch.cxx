@@ -17,6 +17,7 @@ constexpr double kMarginToFlip = 0.9;
 constexpr double kShorter = 0.7;          // than the step before, where that did not lower the objective
 constexpr int kAttempts = 24;             // at a step
 constexpr double kNearerStars = 0.5;      // by this factor at least, in one step
+constexpr double kNoNearer = 0.9;         // of what stars were after less damping: more of it does not help
 constexpr double kAstray = 2;             // times what faces are, or may be, after such a step
 constexpr double kCollapsesEarly = 1.5;   // of a step: faces that collapse before it get stiffer
 constexpr double kEndPull = 1e-3;         // of the usual one
@@ -242,14 +243,20 @@ double FaceMatch::advanceOnStars(StarConstraint& stars, double tolerance, Coordi
   linearise(image);
   stars.linearise(areas_.areas(image), gradients_, weights_);
   const double before = stars.residual(image), astray = kAstray * std::max(residual(image), tolerance);
+  double nearest = std::numeric_limits<double>::infinity();
   for (; dampingOnStars_ <= kMostDampingOnStars; dampingOnStars_ *= 10) {
     if (!factorise(dampingOnStars_)) continue;
     const Coordinates wanted = areas_.displacement(frames_, stars.solve(system_->solver(), right_));
     const double part = std::min(1.0, kMarginToFlip * flips(image, wanted).minCoeff());
     Coordinates next = areas_.eased(areas_.moved(image, wanted, part));
-    if (!(stars.residual(next) < kNearerStars * before && residual(next) <= astray)) continue;
-    image = std::move(next);
-    return part;
+    const double after = stars.residual(next);
+    if (after < kNearerStars * before) {
+      if (!(residual(next) <= astray)) continue;
+      image = std::move(next);
+      return part;
+    }
+    if (after > kNoNearer * nearest) return 0;
+    nearest = after;
   }
   dampingOnStars_ = kMostDampingOnStars;
   return 0;

@@ -15,7 +15,8 @@ constexpr double kRegularisation = 1e-12;
 constexpr double kMarginToFlip = 0.9;
 constexpr double kCollapsesEarly = 2;  // of a step: faces that collapse before it get stiffer corners
 constexpr double kStiffer = 0.1;
-constexpr int kAttempts = 12;
+constexpr int kAttempts = 12, kAttemptsInVain = 3;  // in vain: none of which gets farther by this factor
+constexpr double kFarther = 1.05;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -172,7 +173,8 @@ double VertexMatch::advance(Coordinates& image) {
   const Eigen::VectorXd wrong = error(image);
   Coordinates best;
   double part = 0;
-  for (int attempt = 0; attempt < kAttempts && part < 1; ++attempt) {
+  for (int attempt = 0, inVain = 0; attempt < kAttempts && inVain < kAttemptsInVain && part < 1; ++attempt) {
+    const double before = part;
     const Coordinates displacement = step(wrong);
     double now = std::min(1.0, kMarginToFlip * flipFree(image, displacement));
     for (; now > part; now *= 0.5) {
@@ -181,6 +183,7 @@ double VertexMatch::advance(Coordinates& image) {
       best = std::move(next);
       part = now;
     }
+    inVain = part > kFarther * before ? 0 : inVain + 1;
   }
   if (part > 0) image = std::move(best);
   return part;
