@@ -141,8 +141,8 @@ inline TriangleMesh wavySphere(int levels) {
   return TriangleMesh(points, mesh.faces());
 }
 
-/// A cylinder of radius 1 and 2 `length` circumferences along z with a hemisphere at each end; rings of `around` vertices
-/// an edge apart (fewer towards the poles), each turned by itself, and vertices up to a sixth of an edge off.
+/// A cylinder of radius 1 and 2 `length` circumferences along z with a hemisphere at each end; rings of `around`
+/// vertices an edge apart (fewer towards the poles), each turned by itself, and vertices up to a sixth of an edge off.
 inline TriangleMesh capsuleMesh(int around, double length, unsigned seed = 1) {
   std::mt19937 random(seed);
   const auto uniform = [&random](double most) { return most * (2.0 * random() / 4294967296.0 - 1); };

@@ -33,7 +33,7 @@ namespace authalic {
 void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
                              Points3& image);
 
-/// Shares of their targets below which faces are opened, and which they have then: of a face by itself, and in its patch.
+/// Shares of its target below which a face is opened, and which it has then in its patch.
 struct Narrowness {
   double narrow = 0.1, open = 0.3;
 };

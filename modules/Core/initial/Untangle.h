@@ -24,8 +24,8 @@ namespace authalic {
 /// `flippedFaces`
 [[nodiscard]] UnfoldResult untangle(const SurfaceTopology& topology, Points2 image, const Eigen::VectorXd& least = {});
 
-/// The same on the unit sphere: every star is seen in the gnomonic projection from its own middle, in which great circles
-/// are lines; one wider than a hemisphere stays.
+/// The same on the unit sphere: every star is seen in the gnomonic projection from its own middle, in which great
+/// circles are lines; one wider than a hemisphere stays.
 /// @param image  n×3 of length 1
 /// @return it, with as many vertices moved as that takes; folds may stay
 [[nodiscard]] Points3 untangleOnSphere(const SurfaceTopology& topology, Points3 image);
