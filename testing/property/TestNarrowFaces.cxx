@@ -3,6 +3,7 @@
 
 #include "Core/authalic/BalancedStart.h"
 #include "Core/authalic/NarrowFaces.h"
+#include "Core/authalic/SolidAngles.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "support/TestMeshes.h"
@@ -44,29 +45,66 @@ TEST(NarrowFaces, AreOpenedInTheirPatchAndNothingElseMoves) {
   }
 }
 
-TEST(NarrowFaces, AreOpenedOnTheSphereInTheirPatchAndNothingElseMoves) {
-  const SphereMesh sphere(sphereMesh(5));
-  const Faces& faces = sphere.mesh().faces();
-  const TargetMeasure target(sphere.mesh());
-  const Eigen::RowVector3d centre = Eigen::RowVector3d(0.2, 0.1, 1).normalized();
-  const double radius = 0.15;
+// The unit sphere, drawn together around a point, and where that cannot be seen any more.
+struct Pinched {
+  SphereMesh sphere{sphereMesh(5)};
+  TargetMeasure target{sphere.mesh()};
+  Eigen::RowVector3d centre = Eigen::RowVector3d(0.2, 0.1, 1).normalized();
   Points3 image = sphere.mesh().points();
-  for (auto point : image.rowwise()) {
-    const Eigen::RowVector3d arm = point - centre;
-    if (arm.norm() < radius) point = (centre + arm * std::pow(arm.norm() / radius, 3)).normalized();
+
+  explicit Pinched(double power, double radius = 0.15) {
+    for (auto point : image.rowwise()) {
+      const Eigen::RowVector3d arm = point - centre;
+      if (arm.norm() < radius) point = (centre + arm * std::pow(arm.norm() / radius, power)).normalized();
+    }
   }
-  const auto smallest = [&](const Points3& x) {
-    return (signedSolidAngles(x, faces).array() / (4 * M_PI * target.faces().array())).minCoeff();
+  [[nodiscard]] Eigen::ArrayXd ratios(const Points3& x) const {
+    return signedSolidAngles(x, sphere.mesh().faces()).array() / (4 * M_PI * target.faces().array());
+  }
+  void expectFarPlacesAsTheyWere(const Points3& x) const {
+    for (Eigen::Index v = 0; v < x.rows(); ++v) {
+      if ((sphere.mesh().points().row(v) - centre).norm() < 1) continue;
+      EXPECT_EQ(x.row(v), image.row(v));
+    }
+  }
+};
+
+TEST(NarrowFaces, AreOpenedOnTheSphereInTheirPatchAndNothingElseMoves) {
+  const Pinched pinched(3);
+  ASSERT_GT(pinched.ratios(pinched.image).minCoeff(), 0);
+  ASSERT_LT(pinched.ratios(pinched.image).minCoeff(), 1e-3);
+  Points3 opened = pinched.image;
+  openNarrowFacesOnSphere(pinched.sphere, pinched.target, SolverBackend::Automatic, opened);
+  EXPECT_GE(pinched.ratios(opened).minCoeff(), 0.01);
+  pinched.expectFarPlacesAsTheyWere(opened);
+}
+
+TEST(NarrowFaces, FewFacesFarFromTheirTargetsAreMatchedInTheirPatch) {
+  const Pinched pinched(1.5);
+  const Faces& faces = pinched.sphere.mesh().faces();
+  const SolidAngles areas(faces, pinched.sphere.mesh().vertexCount());
+  const Eigen::VectorXd& targets = pinched.target.faces();
+  const FaceFlags far = farFaces(areas, targets, pinched.image);
+  ASSERT_TRUE(far.any());
+  const auto excess = [&](const Points3& x) {
+    const Eigen::ArrayXd r = pinched.ratios(x);
+    return (targets.array() * (r + 1 / r - 2)).sum();
   };
-  ASSERT_GT(smallest(image), 0);
-  ASSERT_LT(smallest(image), 1e-3);
-  Points3 opened = image;
-  openNarrowFacesOnSphere(sphere, target, SolverBackend::Automatic, opened);
-  EXPECT_GE(smallest(opened), 0.01);
-  for (Eigen::Index v = 0; v < image.rows(); ++v) {
-    if ((sphere.mesh().points().row(v) - centre).norm() < 1) continue;
-    EXPECT_EQ(opened.row(v), image.row(v));
-  }
+  Coordinates image = pinched.image;
+  ASSERT_TRUE(matchFarFaces(far, areas, targets, pinched.sphere.mesh().points(), SolverBackend::Automatic,
+                            Shapes::First, image));
+  const Points3 matched = image;
+  EXPECT_LT(excess(matched), 0.1 * excess(pinched.image));
+  EXPECT_FALSE(farFaces(areas, targets, matched).any());
+  EXPECT_GT(pinched.ratios(matched).minCoeff(), 0.5);
+  pinched.expectFarPlacesAsTheyWere(matched);
+}
+
+TEST(NarrowFaces, ManyFacesFarFromTheirTargetsAreLeftToAllSteps) {
+  const Pinched pinched(1.5, 0.6);
+  const SolidAngles areas(pinched.sphere.mesh().faces(), pinched.sphere.mesh().vertexCount());
+  ASSERT_GT((pinched.ratios(pinched.image).log().abs() > 0.7).count(), 0);
+  EXPECT_FALSE(farFaces(areas, pinched.target.faces(), pinched.image).any());
 }
 
 TEST(NarrowFaces, StayAsTheyAreWhereNoneIs) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "Core/authalic/Patches.h"
+
 namespace authalic {
 
 AreaFunctional::AreaFunctional(const Faces& faces, std::vector<char> freedom)
@@ -28,6 +30,8 @@ const Points2& AreaFunctional::shifts() const {
   static const Points2 none;
   return none;
 }
+
+std::unique_ptr<AreaFunctional> AreaFunctional::inPatch(const Patch&) const { return nullptr; }
 
 std::vector<Coordinates> AreaFunctional::jointMoves(const Coordinates&) const { return {}; }
 

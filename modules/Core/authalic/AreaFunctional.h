@@ -4,12 +4,15 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "Core/authalic/EarsOnCircle.h"
 #include "Core/base/Arrays.h"
 
 namespace authalic {
+
+struct Patch;
 
 /// n×d points of an image: d = 2 in the plane, 3 on the sphere.
 using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -77,6 +80,8 @@ class AreaFunctional {
   [[nodiscard]] virtual bool looksAtBoundaryStars() const { return true; }
   /// Ears whose tips have a freedom of their own, as the ends of their bases have; by default none.
   [[nodiscard]] virtual const std::vector<EarOnCircle>& slidingEars() const;
+  /// The same areas in a patch whose rim is held; by default none. The patch is kept by reference.
+  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> inPatch(const Patch& patch) const;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
   /// 0 for a folded face. Exact for straight motion; see moved().
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;

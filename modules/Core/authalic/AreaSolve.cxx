@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/VertexMatch.h"
 
 namespace authalic {
@@ -13,6 +14,8 @@ constexpr int kRounds = 8, kRoundsWithShapes = 3;
 constexpr int kMostVertexSteps = 12;    // of one round, and as many more as each halve the residual
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
+constexpr double kShort = 0.6;          // a face step that asks whether a few faces hold up all others
+constexpr int kMostInVain = 3;          // then it is no longer asked
 constexpr double kSlow = 0.99;          // factor of the residual over kSlowSteps face steps
 constexpr std::size_t kSlowSteps = 8;
 
@@ -32,7 +35,8 @@ class AreaSolver {
  public:
   AreaSolver(const AreaFunctional& areas, const TriangleMesh& surface, const TargetMeasure& target,
              const AuthalicMapOptions& options, const Execution& execution, Shapes shapes, AnalysedSystems& systems)
-      : options_(options), execution_(execution),
+      : areas_(areas), surface_(surface.points()), targets_(target.faces()), options_(options), execution_(execution),
+        shapes_(shapes),
         meanLogWanted_(std::clamp(shapes == Shapes::First ? kMeanLogWithShapesFirst : kMeanLog,
                                   0.5 * options.tolerance, options.tolerance)),
         faces_(areas, target.faces(), cotangentWeights(surface), options.solver, shapes, systems),
@@ -52,7 +56,10 @@ class AreaSolver {
       goal *= reached ? std::clamp(kNear / farness(exact, faces_.residual(exact)), 0.4, kNear) : 0.5;
       if (reached) keepIfBetter(image = exact);
       if (converged_ && !reached) break;
-      if (round + 1 == kRoundsWithShapes && !converged_) faces_.freeShapes();
+      if (round + 1 == kRoundsWithShapes && !converged_) {
+        faces_.freeShapes();
+        shapes_ = Shapes::Free;
+      }
       if (!moved && !reached) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
@@ -97,9 +104,19 @@ class AreaSolver {
       const double step = faces_.advance(image);
       moved = moved || step > 0;
       tell({residuals.back(), step, false}, "Matching faces");
+      if (step < kShort && inVain_ < kMostInVain) moved = waitForFarFaces(image) || moved;
     }
     result_.faceSeconds += now() - begun;
     return moved;
+  }
+
+  // What few faces hold up is done in patches around them. Returns whether that helped.
+  bool waitForFarFaces(Coordinates& image) {
+    const FaceFlags far = farFaces(areas_, targets_, image);
+    if (!far.any()) return false;
+    const bool helped = matchFarFaces(far, areas_, targets_, surface_, options_.solver, shapes_, image);
+    inVain_ = helped ? 0 : inVain_ + 1;
+    return helped;
   }
 
   // How far the faces are from what is wanted of them: 1 is just enough.
@@ -148,8 +165,13 @@ class AreaSolver {
     converged_ = true;
   }
 
+  const AreaFunctional& areas_;
+  const Points3& surface_;
+  const Eigen::VectorXd& targets_;
   const AuthalicMapOptions& options_;
   const Execution& execution_;
+  Shapes shapes_;
+  int inVain_ = 0;  // patches that did not help, in a row
   double meanLogWanted_;
   FaceMatch faces_;
   StarConstraint stars_;

@@ -1,6 +1,7 @@
 #include "Core/authalic/NarrowFaces.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -9,79 +10,63 @@
 #include "Core/authalic/Patches.h"
 #include "Core/authalic/PlanarAreas.h"
 #include "Core/authalic/SolidAngles.h"
-#include "Core/geometry/Areas.h"
-#include "Core/geometry/SphericalAreas.h"
 
 namespace authalic {
 namespace {
 
 constexpr double kCollapsed = 1e-4;           // share of its target from where a face does not open by itself
-constexpr Narrowness kOnSphere{0.01, 0.03};
+constexpr Narrowness kOnSphere{0.01, 0.03}, kWhileMatching{0, 0.6};
 constexpr int kMostSteps = 60;                // in a patch
 constexpr double kGoal = 0.1;                 // residual of a patch, by far smaller than that of an open one
+constexpr double kFar = 0.7;                  // |ln r| of a face
+constexpr double kFew = 0.02, kMuch = 0.7;    // of the faces, and of D_area − 2 that is theirs
+constexpr int kRingsAroundFar = 8;
+constexpr double kHelps = 0.8;                // times D_area − 2 before
 
-// A patch in the plane whose rim is held.
-class PatchAreas final : public AreaFunctional {
- public:
-  PatchAreas(const Faces& faces, std::vector<char> freedom) : AreaFunctional(faces, std::move(freedom)) {}
+Eigen::ArrayXd ratios(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image) {
+  const Eigen::ArrayXd a = areas.areas(image).array();
+  return a / (a.sum() * targets.array());
+}
 
-  [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override {
-    return signedFaceAreas(Points2(image), faces());
+// openPatch() in the patches of some rings around the chosen faces.
+void openAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas, const Eigen::VectorXd& targets,
+                const Points3& surface, SolverBackend backend, const Narrowness& narrowness, Shapes shapes,
+                Coordinates& image) {
+  std::vector<char> held(static_cast<std::size_t>(areas.vertexCount()));
+  for (int v = 0; v < areas.vertexCount(); ++v) held[static_cast<std::size_t>(v)] = areas.freedom(v) < 2;
+  const Parts parts = partsBetween(heldAround(areas.faces(), held, chosen, rings), areas.faces());
+  for (const Patch& patch : patchesOf(parts, areas.faces())) {
+    Coordinates points = image(patch.vertices, Eigen::all);
+    const std::unique_ptr<AreaFunctional> areasInPatch = areas.inPatch(patch);
+    if (areasInPatch == nullptr) return;
+    openPatch(*areasInPatch, targets(patch.faces), surface(patch.vertices, Eigen::all), backend, points, narrowness,
+              shapes);
+    image(patch.vertices, Eigen::all) = points;
   }
-  [[nodiscard]] Frames frames(const Coordinates& image) const override {
-    Frames result = Frames::Zero(image.rows(), 4);
-    for (int v = 0; v < vertexCount(); ++v) {
-      if (freedom(v) == 2) result.row(v) << 1, 0, 0, 1;
-    }
-    return result;
-  }
-  [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override {
-    return planarGradients(faces(), image, frames);
-  }
-  [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement,
-                                  double t) const override {
-    return image + t * displacement;
-  }
-  [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override {
-    return planarFirstFlip(faces(), image, displacement, face);
-  }
-};
+}
 
-// Rings of 4, 8 and 16 around the faces that are narrow, the rest held.
-template <class Image, class Areas, class AreasOf>
-void openInPatches(const Faces& faces, const std::vector<char>& held, const TargetMeasure& target,
-                   const Points3& surface, SolverBackend backend, const Narrowness& narrowness, const Areas& areas,
-                   const AreasOf& areasOf, Image& image) {
+void openWhereNarrow(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
+                     SolverBackend backend, const Narrowness& narrowness, Coordinates& image) {
   for (const int rings : {4, 8, 16}) {
-    const auto narrow = narrowFaces(areas(image), target, narrowness);
+    const auto narrow = narrowFaces(areas.areas(image), target, narrowness);
     if (!narrow.any()) break;
-    const Parts parts = partsBetween(heldAround(faces, held, narrow, rings), faces);
-    for (const Patch& patch : patchesOf(parts, faces)) {
-      Coordinates points = image(patch.vertices, Eigen::all);
-      openPatch(areasOf(patch), target.faces()(patch.faces), surface(patch.vertices, Eigen::all), backend, points,
-                narrowness);
-      image(patch.vertices, Eigen::all) = points;
-    }
+    openAround(narrow, rings, areas, target.faces(), surface, backend, narrowness, Shapes::Free, image);
   }
 }
 
 }  // namespace
 
 void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
-               Coordinates& points, const Narrowness& narrowness) {
+               Coordinates& points, const Narrowness& narrowness, Shapes shapes) {
   shares /= shares.sum();
   AnalysedSystems systems;
-  FaceMatch match(areas, shares, cotangentWeights(surface, areas.faces()), backend, Shapes::Free, systems);
+  FaceMatch match(areas, shares, cotangentWeights(surface, areas.faces()), backend, shapes, systems);
   match.restart(kGoal);
-  const auto narrowest = [&] {
-    const Eigen::VectorXd a = areas.areas(points);
-    return (a.array() / (a.sum() * shares.array())).minCoeff();
-  };
+  const auto narrowest = [&] { return ratios(areas, shares, points).minCoeff(); };
   for (int k = 0; k < kMostSteps && !match.stalled() && narrowest() < narrowness.open; ++k) match.advance(points);
 }
 
-Eigen::Array<bool, Eigen::Dynamic, 1> narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target,
-                                                  const Narrowness& narrowness) {
+FaceFlags narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target, const Narrowness& narrowness) {
   return areas.array() < narrowness.narrow * areas.sum() * target.faces().array();
 }
 
@@ -92,18 +77,41 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
       unfold(disk.topology(), reviveCollapsedFaces(disk, image, target, backend, kCollapsed), execution);
   if (result.flippedFaces > 0) return result;
   result.image = reviveCollapsedFaces(disk, result.image, target, backend, kCollapsed);
-  openInPatches(faces, disk.topology().onBoundary(), target, disk.mesh().points(), backend, {},
-                [&faces](const Points2& points) { return signedFaceAreas(points, faces); },
-                [](const Patch& patch) { return PatchAreas(patch.corners, patch.freedom); }, result.image);
+  std::vector<char> freedom = disk.topology().onBoundary();
+  for (char& free : freedom) free = free ? 0 : 2;
+  Coordinates opened = result.image;
+  openWhereNarrow(PlanarPatchAreas(faces, std::move(freedom)), target, disk.mesh().points(), backend, {}, opened);
+  result.image = opened;
   return result;
 }
 
 void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
                              Points3& image) {
-  const Faces& faces = sphere.mesh().faces();
-  openInPatches(faces, std::vector<char>(static_cast<std::size_t>(image.rows()), 0), target, sphere.mesh().points(),
-                backend, kOnSphere, [&faces](const Points3& points) { return signedSolidAngles(points, faces); },
-                [](const Patch& patch) { return SolidAngles(patch.corners, patch.freedom); }, image);
+  Coordinates opened = image;
+  openWhereNarrow(SolidAngles(sphere.mesh().faces(), sphere.mesh().vertexCount()), target, sphere.mesh().points(),
+                  backend, kOnSphere, opened);
+  image = opened;
+}
+
+FaceFlags farFaces(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image) {
+  const Eigen::ArrayXd r = ratios(areas, targets, image), errors = targets.array() * (r + 1 / r - 2);
+  FaceFlags far = r.log().abs() > kFar;
+  const bool few = static_cast<double>(far.count()) <= kFew * static_cast<double>(far.size());
+  if (!few || !(far.select(errors, 0).sum() >= kMuch * errors.sum())) far.setConstant(false);
+  return far;
+}
+
+bool matchFarFaces(const FaceFlags& far, const AreaFunctional& areas, const Eigen::VectorXd& targets,
+                   const Points3& surface, SolverBackend backend, Shapes shapes, Coordinates& image) {
+  const auto excess = [&](const Coordinates& x) {
+    const Eigen::ArrayXd r = ratios(areas, targets, x);
+    return (targets.array() * (r + 1 / r - 2)).sum();
+  };
+  Coordinates matched = image;
+  openAround(far, kRingsAroundFar, areas, targets, surface, backend, kWhileMatching, shapes, matched);
+  if (!(excess(matched) < kHelps * excess(image))) return false;
+  image = std::move(matched);
+  return true;
 }
 
 }  // namespace authalic

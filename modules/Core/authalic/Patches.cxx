@@ -10,7 +10,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 std::vector<char> heldAround(const Faces& corners, const std::vector<char>& heldAnyway,
-                             const Eigen::Array<bool, Eigen::Dynamic, 1>& chosen, int rings) {
+                             const FaceFlags& chosen, int rings) {
   std::vector<char> marked(heldAnyway.size(), 0);
   for (Eigen::Index f = 0; f < corners.rows(); ++f) {
     for (int k = 0; k < 3 && chosen[f]; ++k) marked[at(corners(f, k))] = 1;

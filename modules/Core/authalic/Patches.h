@@ -8,6 +8,9 @@
 
 namespace authalic {
 
+/// m flags.
+using FaceFlags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
 /// Parts of a surface that know nothing of each other: the patches of free vertices between held ones.
 struct Parts {
   std::vector<int> ofVertex, ofFace;  ///< −1: held
@@ -16,7 +19,7 @@ struct Parts {
 
 /// n flags: all vertices farther than `rings` edges from the chosen faces, and those that are held anyway.
 [[nodiscard]] std::vector<char> heldAround(const Faces& faces, const std::vector<char>& heldAnyway,
-                                           const Eigen::Array<bool, Eigen::Dynamic, 1>& chosen, int rings);
+                                           const FaceFlags& chosen, int rings);
 
 /// Free vertices of one face belong to one part, and so does the face.
 [[nodiscard]] Parts partsBetween(const std::vector<char>& held, const Faces& faces);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "Core/authalic/Patches.h"
 #include "Core/geometry/Areas.h"
 #include "Core/numerics/FlipFreeStep.h"
 
@@ -110,6 +111,41 @@ double planarFirstFlip(const Faces& faces, const Coordinates& image, const Coord
 }
 
 double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
+  return planarFirstFlip(faces(), image, displacement, face);
+}
+
+std::unique_ptr<AreaFunctional> PlanarAreas::inPatch(const Patch& patch) const {
+  return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
+}
+
+PlanarPatchAreas::PlanarPatchAreas(const Faces& faces, std::vector<char> freedom)
+    : AreaFunctional(faces, std::move(freedom)) {}
+
+Eigen::VectorXd PlanarPatchAreas::areas(const Coordinates& image) const {
+  return signedFaceAreas(Points2(image), faces());
+}
+
+AreaFunctional::Frames PlanarPatchAreas::frames(const Coordinates& image) const {
+  Frames result = Frames::Zero(image.rows(), 4);
+  for (int v = 0; v < vertexCount(); ++v) {
+    if (freedom(v) == 2) result.row(v) << 1, 0, 0, 1;
+  }
+  return result;
+}
+
+AreaFunctional::Gradients PlanarPatchAreas::gradients(const Coordinates& image, const Frames& frames) const {
+  return planarGradients(faces(), image, frames);
+}
+
+Coordinates PlanarPatchAreas::moved(const Coordinates& image, const Coordinates& displacement, double t) const {
+  return image + t * displacement;
+}
+
+std::unique_ptr<AreaFunctional> PlanarPatchAreas::inPatch(const Patch& patch) const {
+  return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
+}
+
+double PlanarPatchAreas::firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const {
   return planarFirstFlip(faces(), image, displacement, face);
 }
 

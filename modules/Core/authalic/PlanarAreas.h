@@ -2,6 +2,9 @@
 /// Areas of a planar image whose boundary slides along that of its domain. Private to authalic/.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "Core/authalic/AreaFunctional.h"
 #include "Core/authalic/EarsOnCircle.h"
 #include "Core/authalic/SlidingBoundary.h"
@@ -25,6 +28,7 @@ class PlanarAreas final : public AreaFunctional {
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] Coordinates eased(Coordinates image) const override;
   [[nodiscard]] const std::vector<EarOnCircle>& slidingEars() const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
  private:
@@ -34,6 +38,20 @@ class PlanarAreas final : public AreaFunctional {
   const SlidingBoundary& sliding_;
   EarsOnCircle ears_;
   const Eigen::VectorXd* vertexShares_;  // none: tips stay in the middle
+};
+
+/// Some vertices move anywhere, all others are held.
+class PlanarPatchAreas final : public AreaFunctional {
+ public:
+  /// @param freedom  n values: 2, or 0 where a vertex is held
+  PlanarPatchAreas(const Faces& faces, std::vector<char> freedom);
+
+  [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
+  [[nodiscard]] Frames frames(const Coordinates& image) const override;
+  [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
+  [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch) const override;
+  [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 };
 
 /// AreaFunctional::gradients() and firstFlip() of any planar image.

@@ -12,8 +12,6 @@ namespace {
 constexpr int kMostSteps = 100;            // in a patch
 constexpr int kMostStepsEverywhere = 200;
 
-using Chosen = Eigen::Array<bool, Eigen::Dynamic, 1>;
-
 std::vector<char> conesOf(const SeamedAreas& areas) {
   std::vector<char> held(static_cast<std::size_t>(areas.vertexCount()));
   for (int v = 0; v < areas.vertexCount(); ++v) held[static_cast<std::size_t>(v)] = areas.freedom(v) == 0;
@@ -24,7 +22,7 @@ std::vector<char> conesOf(const SeamedAreas& areas) {
 // chosen faces.
 template <class Change>
 void inPatches(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
-               const Chosen& chosen, int rings, Points2& image, const Change& change) {
+               const FaceFlags& chosen, int rings, Points2& image, const Change& change) {
   const Faces& faces = areas.faces();
   const Parts parts = partsBetween(heldAround(faces, conesOf(areas), chosen, rings), faces);
   for (const Patch& patch : patchesOf(parts, faces)) {
@@ -39,7 +37,7 @@ void inPatches(const HighGenusMesh& surface, const SeamedAreas& areas, const Tar
   }
 }
 
-Chosen folded(const SeamedAreas& areas, const Points2& image) { return !(areas.areas(image).array() > 0); }
+FaceFlags folded(const SeamedAreas& areas, const Points2& image) { return !(areas.areas(image).array() > 0); }
 
 }  // namespace
 
@@ -53,7 +51,7 @@ int removeFolds(const HighGenusMesh& surface, const SeamedAreas& areas, const Ta
     (void)foldoverFree(patch, targets, points, kMostSteps, backend, places);
   };
   for (const int rings : {4, 8, 16, 32}) {
-    const Chosen chosen = folded(areas, image);
+    const FaceFlags chosen = folded(areas, image);
     if (!chosen.any() || execution.cancelled()) break;
     inPatches(surface, areas, target, chosen, rings, image, untanglePatch);
   }
@@ -70,7 +68,7 @@ void openNarrowFaces(const HighGenusMesh& surface, const SeamedAreas& areas, con
   const auto open = [&](const SeamedAreas& patch, const Eigen::VectorXd& shares, const Points3& points,
                         Coordinates& places) { openPatch(patch, shares, points, backend, places); };
   for (const int rings : {4, 8, 16}) {
-    const Chosen narrow = narrowFaces(areas.areas(image), target);
+    const FaceFlags narrow = narrowFaces(areas.areas(image), target);
     if (!narrow.any() || execution.cancelled()) break;
     inPatches(surface, areas, target, narrow, rings, image, open);
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "Core/authalic/Patches.h"
 #include "Core/geometry/SphericalAreas.h"
 #include "Core/numerics/FlipFreeStep.h"
 
@@ -69,6 +70,10 @@ double SolidAngles::firstFlip(const Coordinates& image, const Coordinates& displ
   return smallestPositiveRoot(determinant(u, v, w), determinant(u, v, c) + determinant(u, b, w) + determinant(a, v, w),
                               determinant(u, b, c) + determinant(a, v, c) + determinant(a, b, w), determinant(a, b, c),
                               kFarthest);
+}
+
+std::unique_ptr<AreaFunctional> SolidAngles::inPatch(const Patch& patch) const {
+  return std::make_unique<SolidAngles>(patch.corners, patch.freedom);
 }
 
 }  // namespace authalic
