@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "Core/authalic/Patches.h"
 #include "Core/authalic/PlanarAreas.h"
 #include "Core/geometry/Areas.h"
 
@@ -109,6 +110,10 @@ Coordinates CircleDomainAreas::moved(const Coordinates& image, const Coordinates
     }
   }
   return result;
+}
+
+std::unique_ptr<AreaFunctional> CircleDomainAreas::inPatch(const Patch& patch) const {
+  return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
 }
 
 std::vector<Coordinates> CircleDomainAreas::jointMoves(const Coordinates& image) const {

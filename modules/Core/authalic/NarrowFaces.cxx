@@ -14,18 +14,24 @@
 namespace authalic {
 namespace {
 
-constexpr double kCollapsed = 1e-4;           // share of its target from where a face does not open by itself
+constexpr double kCollapsed = 1e-4;         // share of its target from where a face does not open by itself
 constexpr Narrowness kOnSphere{0.01, 0.03}, kWhileMatching{0, 0.6};
-constexpr int kMostSteps = 60;                // in a patch
-constexpr double kGoal = 0.1;                 // residual of a patch, by far smaller than that of an open one
-constexpr double kFar = 0.7;                  // |ln r| of a face
-constexpr double kFew = 0.02, kMuch = 0.7;    // of the faces, and of D_area − 2 that is theirs
+constexpr int kMostSteps = 60;              // in a patch
+constexpr double kGoal = 0.1;               // residual of a patch, by far smaller than that of an open one
+constexpr double kFar = 0.7;                // |ln r| of a face
+constexpr double kFew = 0.02, kMuch = 0.7;  // of the faces, and of D_area − 2 that is theirs
 constexpr int kRingsAroundFar = 8;
-constexpr double kHelps = 0.8;                // times D_area − 2 before
+constexpr double kHelps = 0.8;              // times D_area − 2 before
 
 Eigen::ArrayXd ratios(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image) {
   const Eigen::ArrayXd a = areas.areas(image).array();
   return a / (a.sum() * targets.array());
+}
+
+// What each face adds to D_area − 2.
+Eigen::ArrayXd excess(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image) {
+  const Eigen::ArrayXd r = ratios(areas, targets, image);
+  return targets.array() * (r + 1 / r - 2);
 }
 
 // openPatch() in the patches of some rings around the chosen faces.
@@ -94,8 +100,8 @@ void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& targ
 }
 
 FaceFlags farFaces(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image) {
-  const Eigen::ArrayXd r = ratios(areas, targets, image), errors = targets.array() * (r + 1 / r - 2);
-  FaceFlags far = r.log().abs() > kFar;
+  const Eigen::ArrayXd errors = excess(areas, targets, image);
+  FaceFlags far = ratios(areas, targets, image).log().abs() > kFar;
   const bool few = static_cast<double>(far.count()) <= kFew * static_cast<double>(far.size());
   if (!few || !(far.select(errors, 0).sum() >= kMuch * errors.sum())) far.setConstant(false);
   return far;
@@ -103,13 +109,9 @@ FaceFlags farFaces(const AreaFunctional& areas, const Eigen::VectorXd& targets, 
 
 bool matchFarFaces(const FaceFlags& far, const AreaFunctional& areas, const Eigen::VectorXd& targets,
                    const Points3& surface, SolverBackend backend, Shapes shapes, Coordinates& image) {
-  const auto excess = [&](const Coordinates& x) {
-    const Eigen::ArrayXd r = ratios(areas, targets, x);
-    return (targets.array() * (r + 1 / r - 2)).sum();
-  };
   Coordinates matched = image;
   openAround(far, kRingsAroundFar, areas, targets, surface, backend, kWhileMatching, shapes, matched);
-  if (!(excess(matched) < kHelps * excess(image))) return false;
+  if (!(excess(areas, targets, matched).sum() < kHelps * excess(areas, targets, image).sum())) return false;
   image = std::move(matched);
   return true;
 }

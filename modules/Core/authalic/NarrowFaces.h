@@ -1,5 +1,6 @@
 /// @file
-/// Opens the few faces that are folded or much too small, patch by patch. Private to authalic/.
+/// Patches around the few faces that hold up all others: folded, much too small, or far from their targets. Private to
+/// authalic/.
 #pragma once
 
 #include "Core/authalic/AreaFunctional.h"
