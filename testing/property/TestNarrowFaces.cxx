@@ -2,15 +2,19 @@
 #include <gtest/gtest.h>
 
 #include "Core/authalic/BalancedStart.h"
+#include "Core/authalic/CircleDomainAreas.h"
 #include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/SolidAngles.h"
 #include "Core/geometry/Areas.h"
 #include "Core/geometry/SphericalAreas.h"
+#include "Core/mesh/PolyAnnulusMesh.h"
+#include "support/HoledMeshes.h"
 #include "support/TestMeshes.h"
 
 using namespace authalic;
 using authalic::testing::diskMesh;
 using authalic::testing::gridMesh;
+using authalic::testing::holedDisk;
 using authalic::testing::sphereMesh;
 
 namespace {
@@ -77,6 +81,34 @@ TEST(NarrowFaces, AreOpenedOnTheSphereInTheirPatchAndNothingElseMoves) {
   openNarrowFacesOnSphere(pinched.sphere, pinched.target, SolverBackend::Automatic, opened);
   EXPECT_GE(pinched.ratios(opened).minCoeff(), 0.01);
   pinched.expectFarPlacesAsTheyWere(opened);
+}
+
+TEST(NarrowFaces, AreOpenedBesideHolesAndNothingElseMoves) {
+  const PolyAnnulusMesh surface(holedDisk(30, {{{-0.4, 0.05}, 0.15}, {{0.1, -0.5}, 0.1}}));
+  const TargetMeasure target(surface.mesh());
+  std::vector<LoopOnCircle> loops(surface.loops().size());
+  for (std::size_t k = 0; k < loops.size(); ++k) loops[k].vertices = surface.loops()[k];
+  const CircleDomainAreas areas(surface.mesh().faces(), loops, surface.mesh().vertexCount());
+  const Eigen::RowVector2d centre(0.4, 0.3);
+  Coordinates image = surface.mesh().points().leftCols(2);
+  for (auto point : image.rowwise()) {
+    const Eigen::RowVector2d arm = point - centre;
+    if (arm.norm() < 0.25) point = centre + arm * std::pow(arm.norm() / 0.25, 3);
+  }
+  const auto narrowest = [&](const Coordinates& x) {
+    const Eigen::ArrayXd a = areas.areas(x).array();
+    return (a / (a.sum() * target.faces().array())).minCoeff();
+  };
+  ASSERT_GT(narrowest(image), 0);
+  ASSERT_LT(narrowest(image), 0.003);
+  Coordinates opened = image;
+  openNarrowFaces(areas, target, surface.mesh().points(), SolverBackend::Automatic, opened, kCollapsing);
+  EXPECT_GE(narrowest(opened), kCollapsing.narrow);
+  for (Eigen::Index v = 0; v < image.rows(); ++v) {
+    if ((surface.mesh().points().row(v).head(2) - centre).norm() > 0.8) {
+      EXPECT_EQ(opened.row(v), image.row(v));
+    }
+  }
 }
 
 TEST(NarrowFaces, FewFacesFarFromTheirTargetsAreMatchedInTheirPatch) {

@@ -5,6 +5,7 @@
 
 #include "Core/authalic/AreaSolve.h"
 #include "Core/authalic/CircleDomainStart.h"
+#include "Core/authalic/NarrowFaces.h"
 #include "Core/authalic/Stopwatch.h"
 #include "Core/base/Error.h"
 #include "Core/geometry/Areas.h"
@@ -49,8 +50,10 @@ CircleDomainAuthalicMapResult solveFrom(const PolyAnnulusMesh& surface, const Ta
   const double startSeconds = watch.lap();
   const CircleFreedom freedom{!options.holdCentres && !options.concentric, options.freeRadii};
   const CircleDomainAreas areas(surface.mesh().faces(), start.loops, surface.mesh().vertexCount(), freedom);
+  Coordinates begun = areas.begun(start.image);
+  openNarrowFaces(areas, target, surface.mesh().points(), options.solve.solver, begun, kCollapsing);
   AreaSolveResult solved =
-      solveAreas(areas, surface.mesh(), target, areas.begun(start.image), options.solve, execution.part(0.3, 1));
+      solveAreas(areas, surface.mesh(), target, begun, options.solve, execution.part(0.3, 1));
   const Points2 image = areas.ended(solved.image, start.loops);
   if (options.freeRadii) measureHoles(image, surface.mesh(), start);
   static_cast<CircleDomainImage&>(result) = imageOf(start, image);

@@ -15,7 +15,7 @@ namespace authalic {
 namespace {
 
 constexpr double kCollapsed = 1e-4;         // share of its target from where a face does not open by itself
-constexpr Narrowness kOnSphere{0.01, 0.03}, kWhileMatching{0, 0.6};
+constexpr Narrowness kWhileMatching{0, 0.6};
 constexpr int kMostSteps = 60;              // in a patch
 constexpr double kGoal = 0.1;               // residual of a patch, by far smaller than that of an open one
 constexpr double kFar = 0.7;                // |ln r| of a face
@@ -51,15 +51,6 @@ void openAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas,
   }
 }
 
-void openWhereNarrow(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
-                     SolverBackend backend, const Narrowness& narrowness, Coordinates& image) {
-  for (const int rings : {4, 8, 16}) {
-    const auto narrow = narrowFaces(areas.areas(image), target, narrowness);
-    if (!narrow.any()) break;
-    openAround(narrow, rings, areas, target.faces(), surface, backend, narrowness, Shapes::Free, image);
-  }
-}
-
 }  // namespace
 
 void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
@@ -76,6 +67,15 @@ FaceFlags narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target,
   return areas.array() < narrowness.narrow * areas.sum() * target.faces().array();
 }
 
+void openNarrowFaces(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
+                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness) {
+  for (const int rings : {4, 8, 16}) {
+    const auto narrow = narrowFaces(areas.areas(image), target, narrowness);
+    if (!narrow.any()) break;
+    openAround(narrow, rings, areas, target.faces(), surface, backend, narrowness, Shapes::Free, image);
+  }
+}
+
 UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                              SolverBackend backend, const Execution& execution) {
   const Faces& faces = disk.mesh().faces();
@@ -86,7 +86,8 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
   std::vector<char> freedom = disk.topology().onBoundary();
   for (char& free : freedom) free = free ? 0 : 2;
   Coordinates opened = result.image;
-  openWhereNarrow(PlanarPatchAreas(faces, std::move(freedom)), target, disk.mesh().points(), backend, {}, opened);
+  openNarrowFaces(PlanarPatchAreas(faces, std::move(freedom)), target, disk.mesh().points(), backend, opened,
+                  Narrowness());
   result.image = opened;
   return result;
 }
@@ -94,8 +95,8 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
 void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
                              Points3& image) {
   Coordinates opened = image;
-  openWhereNarrow(SolidAngles(sphere.mesh().faces(), sphere.mesh().vertexCount()), target, sphere.mesh().points(),
-                  backend, kOnSphere, opened);
+  openNarrowFaces(SolidAngles(sphere.mesh().faces(), sphere.mesh().vertexCount()), target, sphere.mesh().points(),
+                  backend, opened, kCollapsing);
   image = opened;
 }
 

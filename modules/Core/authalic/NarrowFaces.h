@@ -1,6 +1,5 @@
 /// @file
-/// Patches around the few faces that hold up all others: folded, much too small, or far from their targets. Private to
-/// authalic/.
+/// Patches around the few faces that hold up all others: folded, much too small, or far off. Private to authalic/.
 #pragma once
 
 #include "Core/authalic/AreaFunctional.h"
@@ -13,6 +12,15 @@
 #include "Core/numerics/SparseSolver.h"
 
 namespace authalic {
+
+/// Shares of its target below which a face is opened, and which it has then in its patch.
+struct Narrowness {
+  double narrow = 0.1, open = 0.3;
+};
+
+/// For starts that are far from their targets, as those of long limbs on the sphere and of surfaces with holes are:
+/// nothing is wrong with a tenth there.
+inline constexpr Narrowness kCollapsing{0.01, 0.03};
 
 /// A start without folds and without faces that are much too small, from one with few of both.
 ///
@@ -30,16 +38,15 @@ namespace authalic {
 [[nodiscard]] UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend, const Execution& execution);
 
-/// The same patches on the unit sphere, around faces that have less than a hundredth of their share, opened to three of
-/// them: there the start of long limbs is far from its targets, and nothing is wrong with a tenth.
+/// The same patches in an image of any domain that has areas in patches, see AreaFunctional::inPatch().
+/// @param image  no face folded; stays so
+void openNarrowFaces(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
+                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness);
+
+/// On the unit sphere, kCollapsing.
 /// @param image  n×3, no face folded; stays so
 void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
                              Points3& image);
-
-/// Shares of its target below which a face is opened, and which it has then in its patch.
-struct Narrowness {
-  double narrow = 0.1, open = 0.3;
-};
 
 /// Face steps in one patch, at most 60, until each of its faces is open.
 /// @param areas    of the patch, its rim held
