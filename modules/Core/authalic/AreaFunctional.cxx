@@ -31,8 +31,6 @@ const Points2& AreaFunctional::shifts() const {
   return none;
 }
 
-std::unique_ptr<AreaFunctional> AreaFunctional::inPatch(const Patch&) const { return nullptr; }
-
 std::vector<Coordinates> AreaFunctional::jointMoves(const Coordinates&) const { return {}; }
 
 Coordinates AreaFunctional::slowed(const Coordinates&, const Coordinates& displacement,

@@ -80,8 +80,9 @@ class AreaFunctional {
   [[nodiscard]] virtual bool looksAtBoundaryStars() const { return true; }
   /// Ears whose tips have a freedom of their own, as the ends of their bases have; by default none.
   [[nodiscard]] virtual const std::vector<EarOnCircle>& slidingEars() const;
-  /// The same areas in a patch whose rim is held; by default none. The patch is kept by reference.
-  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> inPatch(const Patch& patch) const;
+  /// The same areas in a patch whose rim is held, of an image of its vertices alone. The patch is kept by reference.
+  /// @param image  of the whole: what else it says of the corners in the patch is held as well
+  [[nodiscard]] virtual std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const = 0;
   /// First t > 0 at which the corners of a face that move by `displacement` are in line, +infinity when never;
   /// 0 for a folded face. Exact for straight motion; see moved().
   [[nodiscard]] virtual double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const = 0;

@@ -112,7 +112,7 @@ Coordinates CircleDomainAreas::moved(const Coordinates& image, const Coordinates
   return result;
 }
 
-std::unique_ptr<AreaFunctional> CircleDomainAreas::inPatch(const Patch& patch) const {
+std::unique_ptr<AreaFunctional> CircleDomainAreas::inPatch(const Patch& patch, const Coordinates&) const {
   return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
 }
 

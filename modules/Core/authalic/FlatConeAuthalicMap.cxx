@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "Core/authalic/AreaSolve.h"
+#include "Core/authalic/FoldRemoval.h"
 #include "Core/authalic/HolonomyFit.h"
-#include "Core/authalic/SeamedPatches.h"
+#include "Core/authalic/NarrowFaces.h"
 #include "Core/geometry/Areas.h"
 
 namespace authalic {
@@ -31,16 +32,15 @@ HalfEdgeWeights positiveWeights(const HighGenusMesh& surface) {
 
 Points2 makeStart(const HighGenusMesh& surface, const SeamedAreas& areas, const TargetMeasure& target,
                   SolverBackend backend, const FlatConeSurface& flat, HolonomyFit& fit, const Execution& execution) {
-  Points2 start = flat.places;
-  if (removeFolds(surface, areas, target, backend, start, execution.part(0, 0.2)) > 0) return start;
-  openNarrowFaces(surface, areas, target, backend, start, execution.part(0.2, 0.4));
-  Coordinates image = start;
+  const Points3& points = surface.mesh().points();
+  Coordinates image = flat.places;
+  if (removeFolds(areas, target, points, backend, image, execution.part(0, 0.2)) > 0) return image;
+  openNarrowFaces(areas, target, points, backend, image, {}, execution.part(0.2, 0.4));
   for (int step = 0; step < kMostFits && !execution.cancelled() && fit.relax(image); ++step) {
     execution.report(0.4 + 0.3 * step / kMostFits, "Fitting the flat surface");
   }
-  start = image;
-  openNarrowFaces(surface, areas, target, backend, start, execution.part(0.7, 1));
-  return start;
+  openNarrowFaces(areas, target, points, backend, image, {}, execution.part(0.7, 1));
+  return image;
 }
 
 // Parameters of the holonomy in the last rows, see SeamedAreas.

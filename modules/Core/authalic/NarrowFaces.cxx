@@ -1,7 +1,6 @@
 #include "Core/authalic/NarrowFaces.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -34,25 +33,7 @@ Eigen::ArrayXd excess(const AreaFunctional& areas, const Eigen::VectorXd& target
   return targets.array() * (r + 1 / r - 2);
 }
 
-// openPatch() in the patches of some rings around the chosen faces.
-void openAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas, const Eigen::VectorXd& targets,
-                const Points3& surface, SolverBackend backend, const Narrowness& narrowness, Shapes shapes,
-                Coordinates& image) {
-  std::vector<char> held(static_cast<std::size_t>(areas.vertexCount()));
-  for (int v = 0; v < areas.vertexCount(); ++v) held[static_cast<std::size_t>(v)] = areas.freedom(v) < 2;
-  const Parts parts = partsBetween(heldAround(areas.faces(), held, chosen, rings), areas.faces());
-  for (const Patch& patch : patchesOf(parts, areas.faces())) {
-    Coordinates points = image(patch.vertices, Eigen::all);
-    const std::unique_ptr<AreaFunctional> areasInPatch = areas.inPatch(patch);
-    if (areasInPatch == nullptr) return;
-    openPatch(*areasInPatch, targets(patch.faces), surface(patch.vertices, Eigen::all), backend, points, narrowness,
-              shapes);
-    image(patch.vertices, Eigen::all) = points;
-  }
-}
-
-}  // namespace
-
+// Face steps in one patch, at most 60, until each of its faces is open; targets of any sum, no face folded.
 void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
                Coordinates& points, const Narrowness& narrowness, Shapes shapes) {
   shares /= shares.sum();
@@ -63,15 +44,26 @@ void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points
   for (int k = 0; k < kMostSteps && !match.stalled() && narrowest() < narrowness.open; ++k) match.advance(points);
 }
 
-FaceFlags narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target, const Narrowness& narrowness) {
-  return areas.array() < narrowness.narrow * areas.sum() * target.faces().array();
+// openPatch() in the patches of some rings around the chosen faces.
+void openAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas, const Eigen::VectorXd& targets,
+                const Points3& surface, SolverBackend backend, const Narrowness& narrowness, Shapes shapes,
+                Coordinates& image) {
+  for (const Patch& patch : patchesAround(chosen, rings, areas)) {
+    Coordinates points = image(patch.vertices, Eigen::all);
+    openPatch(*areas.inPatch(patch, image), targets(patch.faces), surface(patch.vertices, Eigen::all), backend, points,
+              narrowness, shapes);
+    image(patch.vertices, Eigen::all) = points;
+  }
 }
 
+}  // namespace
+
 void openNarrowFaces(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
-                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness) {
+                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness,
+                     const Execution& execution) {
   for (const int rings : {4, 8, 16}) {
-    const auto narrow = narrowFaces(areas.areas(image), target, narrowness);
-    if (!narrow.any()) break;
+    const FaceFlags narrow = ratios(areas, target.faces(), image) < narrowness.narrow;
+    if (!narrow.any() || execution.cancelled()) break;
     openAround(narrow, rings, areas, target.faces(), surface, backend, narrowness, Shapes::Free, image);
   }
 }
@@ -87,7 +79,7 @@ UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const T
   for (char& free : freedom) free = free ? 0 : 2;
   Coordinates opened = result.image;
   openNarrowFaces(PlanarPatchAreas(faces, std::move(freedom)), target, disk.mesh().points(), backend, opened,
-                  Narrowness());
+                  Narrowness(), execution);
   result.image = opened;
   return result;
 }

@@ -38,33 +38,22 @@ inline constexpr Narrowness kCollapsing{0.01, 0.03};
 [[nodiscard]] UnfoldResult openNarrowFaces(const DiskMesh& disk, const Points2& image, const TargetMeasure& target,
                                            SolverBackend backend, const Execution& execution);
 
-/// The same patches in an image of any domain that has areas in patches, see AreaFunctional::inPatch().
+/// The same patches in an image of any domain.
 /// @param image  no face folded; stays so
 void openNarrowFaces(const AreaFunctional& areas, const TargetMeasure& target, const Points3& surface,
-                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness);
+                     SolverBackend backend, Coordinates& image, const Narrowness& narrowness,
+                     const Execution& execution = {});
 
 /// On the unit sphere, kCollapsing.
 /// @param image  n×3, no face folded; stays so
 void openNarrowFacesOnSphere(const SphereMesh& sphere, const TargetMeasure& target, SolverBackend backend,
                              Points3& image);
 
-/// Face steps in one patch, at most 60, until each of its faces is open.
-/// @param areas    of the patch, its rim held
-/// @param shares   targets of its faces, of any sum
-/// @param surface  of its vertices
-/// @param points   its image, no face folded
-void openPatch(const AreaFunctional& areas, Eigen::VectorXd shares, const Points3& surface, SolverBackend backend,
-               Coordinates& points, const Narrowness& narrowness = {}, Shapes shapes = Shapes::Free);
-
-[[nodiscard]] FaceFlags narrowFaces(const Eigen::VectorXd& areas, const TargetMeasure& target,
-                                    const Narrowness& narrowness = {});
-
 /// The faces with r outside of ½ … 2, where they are at most 2 % of all and have 70 % of D_area − 2; otherwise none. A
 /// bulb behind a narrow neck, 390 of the 300,000 faces of a cortex, can take fifty steps of all faces.
 [[nodiscard]] FaceFlags farFaces(const AreaFunctional& areas, const Eigen::VectorXd& targets, const Coordinates& image);
 
 /// Face steps in patches of 8 rings around them, until all their faces have 0.6 of their share there.
-/// @param areas  with areas in patches, see AreaFunctional::inPatch(); nothing happens otherwise
 /// @param image  no face folded; stays so
 /// @return whether D_area − 2 is less by a fifth; otherwise the image is as it was
 bool matchFarFaces(const FaceFlags& far, const AreaFunctional& areas, const Eigen::VectorXd& targets,

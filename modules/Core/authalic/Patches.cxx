@@ -7,6 +7,28 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces) {
+  std::vector<Patch> patches(static_cast<std::size_t>(parts.count));
+  for (std::size_t f = 0; f < parts.ofFace.size(); ++f) {
+    if (parts.ofFace[f] >= 0) patches[static_cast<std::size_t>(parts.ofFace[f])].faces.push_back(static_cast<int>(f));
+  }
+  std::vector<int> number(parts.ofVertex.size(), -1);
+  for (Patch& patch : patches) {
+    patch.corners = faces(patch.faces, Eigen::all);
+    for (int& v : patch.corners.reshaped<Eigen::RowMajor>()) {
+      int& local = number[static_cast<std::size_t>(v)];
+      if (local < 0) {
+        local = static_cast<int>(patch.vertices.size());
+        patch.vertices.push_back(v);
+        patch.freedom.push_back(parts.ofVertex[static_cast<std::size_t>(v)] >= 0 ? 2 : 0);
+      }
+      v = local;
+    }
+    for (const int v : patch.vertices) number[static_cast<std::size_t>(v)] = -1;
+  }
+  return patches;
+}
+
 }  // namespace
 
 std::vector<char> heldAround(const Faces& corners, const std::vector<char>& heldAnyway,
@@ -56,26 +78,10 @@ Parts partsBetween(const std::vector<char>& held, const Faces& faces) {
   return parts;
 }
 
-std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces) {
-  std::vector<Patch> patches(static_cast<std::size_t>(parts.count));
-  for (std::size_t f = 0; f < parts.ofFace.size(); ++f) {
-    if (parts.ofFace[f] >= 0) patches[static_cast<std::size_t>(parts.ofFace[f])].faces.push_back(static_cast<int>(f));
-  }
-  std::vector<int> number(parts.ofVertex.size(), -1);
-  for (Patch& patch : patches) {
-    patch.corners = faces(patch.faces, Eigen::all);
-    for (int& v : patch.corners.reshaped<Eigen::RowMajor>()) {
-      int& local = number[static_cast<std::size_t>(v)];
-      if (local < 0) {
-        local = static_cast<int>(patch.vertices.size());
-        patch.vertices.push_back(v);
-        patch.freedom.push_back(parts.ofVertex[static_cast<std::size_t>(v)] >= 0 ? 2 : 0);
-      }
-      v = local;
-    }
-    for (const int v : patch.vertices) number[static_cast<std::size_t>(v)] = -1;
-  }
-  return patches;
+std::vector<Patch> patchesAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas) {
+  std::vector<char> held(static_cast<std::size_t>(areas.vertexCount()));
+  for (int v = 0; v < areas.vertexCount(); ++v) held[at(v)] = areas.freedom(v) < 2;
+  return patchesOf(partsBetween(heldAround(areas.faces(), held, chosen, rings), areas.faces()), areas.faces());
 }
 
 }  // namespace authalic

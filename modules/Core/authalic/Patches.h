@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "Core/authalic/AreaFunctional.h"
 #include "Core/base/Arrays.h"
 
 namespace authalic {
@@ -31,6 +32,7 @@ struct Patch {
   std::vector<char> freedom;         ///< of `vertices`: 2, or 0 where held
 };
 
-[[nodiscard]] std::vector<Patch> patchesOf(const Parts& parts, const Faces& faces);
+/// The patches of `rings` rings around the chosen faces in which vertices that move in two directions are free.
+[[nodiscard]] std::vector<Patch> patchesAround(const FaceFlags& chosen, int rings, const AreaFunctional& areas);
 
 }  // namespace authalic

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "Core/authalic/Patches.h"
+#include "Core/authalic/SeamedAreas.h"
 #include "Core/geometry/Areas.h"
 #include "Core/numerics/FlipFreeStep.h"
 
@@ -55,6 +57,14 @@ double PeriodicAreas::firstFlip(const Coordinates& image, const Coordinates& dis
   const auto moves = [&](int k) { return Eigen::Vector2d(displacement.row(faces()(face, k)).transpose()); };
   const Eigen::Vector2d d = moves(1) - moves(0), h = moves(2) - moves(0);
   return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+std::unique_ptr<AreaFunctional> PeriodicAreas::inPatch(const Patch& patch, const Coordinates&) const {
+  std::vector<RigidMotion> motions;
+  for (const int f : patch.faces) {
+    for (int k = 0; k < 3; ++k) motions.push_back({1, {shifts_(3 * f + k, 0), shifts_(3 * f + k, 1)}});
+  }
+  return std::make_unique<SeamedAreas>(patch.corners, patch.freedom, std::move(motions));
 }
 
 }  // namespace authalic

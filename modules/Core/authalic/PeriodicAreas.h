@@ -2,6 +2,7 @@
 /// Areas of an image on the flat torus or the flat cylinder. Private to authalic/.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "Core/authalic/AreaFunctional.h"
@@ -22,6 +23,7 @@ class PeriodicAreas final : public AreaFunctional {
   [[nodiscard]] Corners corners(const Coordinates& image, int face) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
 
  private:
   [[nodiscard]] Eigen::Vector2d corner(const Coordinates& image, int face, int k) const {

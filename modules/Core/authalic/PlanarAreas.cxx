@@ -114,7 +114,7 @@ double PlanarAreas::firstFlip(const Coordinates& image, const Coordinates& displ
   return planarFirstFlip(faces(), image, displacement, face);
 }
 
-std::unique_ptr<AreaFunctional> PlanarAreas::inPatch(const Patch& patch) const {
+std::unique_ptr<AreaFunctional> PlanarAreas::inPatch(const Patch& patch, const Coordinates&) const {
   return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
 }
 
@@ -141,7 +141,7 @@ Coordinates PlanarPatchAreas::moved(const Coordinates& image, const Coordinates&
   return image + t * displacement;
 }
 
-std::unique_ptr<AreaFunctional> PlanarPatchAreas::inPatch(const Patch& patch) const {
+std::unique_ptr<AreaFunctional> PlanarPatchAreas::inPatch(const Patch& patch, const Coordinates&) const {
   return std::make_unique<PlanarPatchAreas>(patch.corners, patch.freedom);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "Core/authalic/Patches.h"
 #include "Core/numerics/FlipFreeStep.h"
 
 namespace authalic {
@@ -21,24 +22,29 @@ double cross(Complex u, Complex v) { return (std::conj(u) * v).imag(); }
 }  // namespace
 
 SeamedAreas::SeamedAreas(const Faces& faces, const FlatConeSurface& flat)
-    : SeamedAreas(faces, freeButCones(flat), flat.motions.corners) {}
+    : SeamedAreas(faces, flat, CornerMoves()) {}
 
-SeamedAreas::SeamedAreas(const Faces& faces, std::vector<char> freedom, const std::vector<RigidMotion>& motions)
-    : AreaFunctional(faces, std::move(freedom)), motions_(motions) {}
+SeamedAreas::SeamedAreas(const Faces& faces, std::vector<char> freedom, std::vector<RigidMotion> motions)
+    : AreaFunctional(faces, std::move(freedom)), own_(std::move(motions)), motions_(own_) {}
 
 SeamedAreas::SeamedAreas(const Faces& faces, const FlatConeSurface& flat, CornerMoves parameters)
     : AreaFunctional(faces, freeButCones(flat)), motions_(flat.motions.corners), moves_(std::move(parameters)) {}
 
-// Of a corner with the rows of its vertex and of the parameters, either places or displacements.
-Complex SeamedAreas::change(const Coordinates& rows, int face, int k) const {
-  const int v = faces()(face, k);
+// What the rows of the parameters, either values or displacements, do to a corner.
+Complex SeamedAreas::shift(const Coordinates& rows, int face, int k) const {
   Complex result = 0;
-  if (freedom(v) > 0) result = motion(face, k).turn * Complex(rows(v, 0), rows(v, 1));
-  if (moves_.row.empty()) return result;
-  const int row = moves_.row[static_cast<std::size_t>(3 * face + k)];
+  const int row = moves_.row.empty() ? -1 : moves_.row[static_cast<std::size_t>(3 * face + k)];
   for (Eigen::Index j = 0; row >= 0 && j < moves_.moves.cols(); ++j) {
     result += moves_.moves(row, j) * Complex(rows(vertexCount() + j, 0), rows(vertexCount() + j, 1));
   }
+  return result;
+}
+
+// The same with the row of its vertex.
+Complex SeamedAreas::change(const Coordinates& rows, int face, int k) const {
+  const int v = faces()(face, k);
+  Complex result = shift(rows, face, k);
+  if (freedom(v) > 0) result += motion(face, k).turn * Complex(rows(v, 0), rows(v, 1));
   return result;
 }
 
@@ -103,6 +109,19 @@ double SeamedAreas::firstFlip(const Coordinates& image, const Coordinates& displ
   const Complex still = change(displacement, face, 0), d = change(displacement, face, 1) - still,
                 h = change(displacement, face, 2) - still;
   return smallestPositiveRoot(cross(d, h), cross(e, h) + cross(d, g), cross(e, g));
+}
+
+// With parameters, the motions that these make; each corner at a cone, whose row then says nothing, stays where it is.
+std::unique_ptr<AreaFunctional> SeamedAreas::inPatch(const Patch& patch, const Coordinates& image) const {
+  const auto motionIn = [&](int f, int k) {
+    if (moves_.row.empty()) return motion(f, k);
+    return RigidMotion{freedom(faces()(f, k)) > 0 ? motion(f, k).turn : 0, shift(image, f, k)};
+  };
+  std::vector<RigidMotion> motions;
+  for (const int f : patch.faces) {
+    for (int k = 0; k < 3; ++k) motions.push_back(motionIn(f, k));
+  }
+  return std::make_unique<SeamedAreas>(patch.corners, patch.freedom, std::move(motions));
 }
 
 CornerMoves cornerMoves(const SurfaceTopology& topology, const FlatConeSurface& flat) {

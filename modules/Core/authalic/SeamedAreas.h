@@ -2,6 +2,9 @@
 /// Areas of an image on a flat cone surface. Private to authalic/.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "Core/authalic/AreaFunctional.h"
 #include "Core/conformal/FlatConeSurface.h"
 
@@ -17,10 +20,12 @@ class SeamedAreas final : public AreaFunctional {
   SeamedAreas(const Faces& faces, const FlatConeSurface& flat);
   /// With free parameters.
   SeamedAreas(const Faces& faces, const FlatConeSurface& flat, CornerMoves parameters);
-  /// Of some faces: a patch needs no chart of its own.
-  /// @param motions  of their corners; kept by reference
+  /// Of a patch, which needs no chart of its own.
   /// @param freedom  2 or 0 (held)
-  SeamedAreas(const Faces& faces, std::vector<char> freedom, const std::vector<RigidMotion>& motions);
+  /// @param motions  of the corners
+  SeamedAreas(const Faces& faces, std::vector<char> freedom, std::vector<RigidMotion> motions);
+  SeamedAreas(const SeamedAreas&) = delete;
+  SeamedAreas& operator=(const SeamedAreas&) = delete;
 
   [[nodiscard]] Eigen::VectorXd areas(const Coordinates& image) const override;
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
@@ -29,6 +34,7 @@ class SeamedAreas final : public AreaFunctional {
   [[nodiscard]] Directions directions(const Frames& frames, int face) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
 
   [[nodiscard]] const CornerMoves* parameters() const override { return moves_.row.empty() ? nullptr : &moves_; }
 
@@ -43,8 +49,10 @@ class SeamedAreas final : public AreaFunctional {
   }
 
  private:
+  [[nodiscard]] std::complex<double> shift(const Coordinates& rows, int face, int k) const;
   [[nodiscard]] std::complex<double> change(const Coordinates& rows, int face, int k) const;
 
+  std::vector<RigidMotion> own_;  // of a patch
   const std::vector<RigidMotion>& motions_;
   CornerMoves moves_;
 };

@@ -72,7 +72,7 @@ double SolidAngles::firstFlip(const Coordinates& image, const Coordinates& displ
                               kFarthest);
 }
 
-std::unique_ptr<AreaFunctional> SolidAngles::inPatch(const Patch& patch) const {
+std::unique_ptr<AreaFunctional> SolidAngles::inPatch(const Patch& patch, const Coordinates&) const {
   return std::make_unique<SolidAngles>(patch.corners, patch.freedom);
 }
 
