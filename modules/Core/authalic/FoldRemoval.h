@@ -9,9 +9,12 @@
 
 namespace authalic {
 
-/// Removes the folds of an image: foldoverFree() in patches of 4, 8, 16 and 32 rings around them, then everywhere.
+/// Removes the folds of an image: foldoverFree() in patches of 4 rings around them, smaller ones where those fail, then
+/// larger ones, then everywhere.
 ///
-/// A patch may lie across seams and around cones, which stay.
+/// A patch may lie across seams and around cones, which stay. Around cones it can also lose its folds the wrong way: a
+/// cone has a full turn too little and another vertex faces that go around it twice. Then it is left folded. Larger
+/// patches leave better faces, smaller ones have fewer ways to go wrong.
 /// @param areas    in the plane, every free vertex in both directions
 /// @param surface  of its vertices
 /// @return the number of folded faces that are left

@@ -17,8 +17,8 @@ constexpr double kPerFace = 0.03;      // of u, for a vertex whose faces would n
 constexpr double kQuarter = 0.5 * M_PI;
 constexpr double kBlur = 1e-3;         // of the area: a cone is a logarithmic peak of u, which must not call for others
 constexpr double kEven = 0.25;          // standard deviation of u that needs no more cones
-constexpr double kWorthAPair = 0.97;   // factor of it
-constexpr int kAhead = 4;              // pairs
+constexpr double kWorthAPair = 0.98;   // factor of it
+constexpr int kAhead = 16;             // pairs
 constexpr int kMostPairs = 32;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }

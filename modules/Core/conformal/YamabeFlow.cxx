@@ -100,7 +100,8 @@ class Flow {
   double record_ = 0;
   double best_ = 1e300;  // least max |K − K̄|, and the steps since
   int sinceBest_ = 0;
-  int hindered_ = 0;  // faces that were no triangles on the way of the last step
+  int hindered_ = 0;           // faces that were no triangles on the way of the last step
+  int hinderedSinceBest_ = 0;  // the most of one step
 };
 
 // (L − ∂K̄/∂u) v.
@@ -232,6 +233,7 @@ bool Flow::atFloor() {
     best_ = worst();
     bestScale_ = u_;
     sinceBest_ = 0;
+    hinderedSinceBest_ = 0;
     return false;
   }
   return ++sinceBest_ > (best_ < 1e-2 ? 15 : 60);
@@ -249,6 +251,7 @@ void Flow::run(YamabeFlowResult& result) {
     execution_.report(std::min(0.9, 0.1 * result.iterations), "curvature flow");
     YamabeIteration iteration{worst(), 0, metric_->flips()};
     iteration.step = takeStep();
+    hinderedSinceBest_ = std::max(hinderedSinceBest_, hindered_);
     iteration.flips = metric_->flips() - iteration.flips;
     result.flips += iteration.flips;
     result.history.push_back(iteration);
@@ -263,7 +266,7 @@ void Flow::run(YamabeFlowResult& result) {
     moveTo(u_);
   }
   result.residual = worst();
-  result.degenerateFaces = result.status == Status::Stalled ? hindered_ : 0;
+  result.degenerateFaces = result.status == Status::Stalled ? hinderedSinceBest_ : 0;
   result.addedVertices = static_cast<int>(u_.size()) - originalVertices_;
   result.curvature = metric_->curvature();
   result.target = target_;

@@ -59,8 +59,8 @@ struct YamabeFlowResult {
   double residual = 0;                   ///< max |K − K̄|
   int initialFlips = 0;                  ///< Euclidean flips to the Delaunay triangulation of the surface itself
   int flips = 0;                         ///< flips by Ptolemy's rule on the way
-  int degenerateFaces = 0;               ///< Stalled: faces that lost their triangle inequality in the last steps
-                                         ///< tried
+  int degenerateFaces = 0;               ///< Stalled: most faces that lost their triangle inequality in one of the
+                                         ///< steps tried since the best
   std::vector<YamabeIteration> history;
   double seconds = 0;
 };

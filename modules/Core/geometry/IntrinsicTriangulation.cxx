@@ -163,8 +163,9 @@ bool IntrinsicTriangulation::isDelaunay(int h, const Eigen::VectorXd& u) const {
     const Cosine one = cosineOpposite(side, a, b), other = cosineOpposite(side, c, d);
     return one.value + other.value >= -1e-12 * (one.size + other.size);
   }
-  // The rounding of lengths becomes cot² times as large in a cotangent.
-  return left + right >= -1e-12 - 1e-14 * (left * left + right * right);
+  // The rounding of lengths, that of their logarithms, becomes 1 + cot² times as large in a cotangent.
+  const double largest = std::max({1.0, std::abs(side), std::abs(a), std::abs(b), std::abs(c), std::abs(d)});
+  return left + right >= -1e-12 - 1e-14 * largest * (2 + left * left + right * right);
 }
 
 bool IntrinsicTriangulation::flippable(int h) const {
