@@ -20,9 +20,9 @@ struct Cone {
 /// factors of that metric to first order. A cone of negative curvature shrinks what is around it, one of positive
 /// curvature widens it @cite benchen2008: the next one of −π/2 goes where u is largest, until there are 4|χ|. Then
 /// pairs of opposite cones follow, the positive one where u is least (tips of protrusions), while the standard
-/// deviation of u is more than 0.25: as many as take two hundredths off it each, up to sixteen together where one by one
-/// they do not (a finger asks for several). Cones keep two edges apart while there is room; negative ones like vertices
-/// with seven faces, positive ones those with five. The first one is negative.
+/// deviation of u is more than 0.25: as many as take two hundredths off it each, up to sixteen together where one by
+/// one they do not (a finger asks for several). Cones keep two edges apart while there is room; negative ones like
+/// vertices with seven faces, positive ones those with five. The first one is negative.
 /// O(n^1.5 + count · n log n)
 /// @throws GeometryError when the surface has fewer vertices than it needs cones
 [[nodiscard]] std::vector<Cone> placeCones(const HighGenusMesh& surface, SolverBackend backend);

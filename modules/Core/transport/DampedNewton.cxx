@@ -76,7 +76,9 @@ TransportSolution dampedNewton(TransportCells& cells, Eigen::Index count, const 
   result.heights = std::move(start);
   const double smallest = cells.compute(result.heights) ? cells.areas().minCoeff() : 0;
   if (!(smallest > 0)) {
-    throw GeometryError("A start without empty cells is required, but there are some; leave the start out.");
+    throw GeometryError(
+        "A cell for every site is required at the start, but some are empty; take an initial map that spreads close "
+        "sites, or heights of these sites.");
   }
   const double floor = 0.5 * std::min(smallest, masses.minCoeff());
   Eigen::VectorXd error = cells.areas() - masses;
