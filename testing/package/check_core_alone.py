@@ -3,7 +3,8 @@
 
     check_core_alone.py --build BUILD --source SOURCE --cxx COMPILER
 
-VTK cannot be found during all of it. BUILD is not touched; the second build tree is temporary.
+VTK cannot be found during all of it, and no header is precompiled: sources include what they use. BUILD is not
+touched; the second build tree is temporary.
 """
 import argparse
 import pathlib
@@ -21,7 +22,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="authalic-core-") as folder:
         for words in (["cmake", "-S", options.source, "-B", folder, "-G", "Ninja", "-DAUTHALIC_VTK=OFF",
                        "-DBUILD_TESTING=OFF", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={options.cxx}",
-                       "-DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON"],
+                       "-DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"],
                       ["cmake", "--build", folder],
                       [sys.executable, str(pathlib.Path(__file__).with_name("check_package.py")), "--build", folder,
                        "--source", options.source, "--cxx", options.cxx, "-v"]):
