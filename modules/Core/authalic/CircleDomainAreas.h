@@ -51,8 +51,7 @@ class CircleDomainAreas final : public AreaFunctional {
 
   /// Centres one by one, and radii: the moves of circles with freedoms.
   [[nodiscard]] std::vector<Coordinates> jointMoves(const Coordinates& image) const override;
-  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch,
-                                                        const Coordinates& image) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
   /// With circles held, faces do not arrive in fewer steps for it.
   [[nodiscard]] bool looksAtBoundaryStars() const override { return false; }
   /// A circle moves by the smallest part of its vertices.

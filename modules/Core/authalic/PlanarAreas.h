@@ -28,8 +28,7 @@ class PlanarAreas final : public AreaFunctional {
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
   [[nodiscard]] Coordinates eased(Coordinates image) const override;
   [[nodiscard]] const std::vector<EarOnCircle>& slidingEars() const override;
-  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch,
-                                                        const Coordinates& image) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
  private:
@@ -51,8 +50,7 @@ class PlanarPatchAreas final : public AreaFunctional {
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
   [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
-  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch,
-                                                        const Coordinates& image) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 };
 

@@ -22,7 +22,7 @@ class SeamedAreas final : public AreaFunctional {
   SeamedAreas(const Faces& faces, const FlatConeSurface& flat, CornerMoves parameters);
   /// Of a patch, which needs no chart of its own.
   /// @param freedom  2 or 0 (held)
-  /// @param motions  of the corners
+  /// @param motions  of the corners; a turn of 0 holds a corner where it is shifted to
   SeamedAreas(const Faces& faces, std::vector<char> freedom, std::vector<RigidMotion> motions);
   SeamedAreas(const SeamedAreas&) = delete;
   SeamedAreas& operator=(const SeamedAreas&) = delete;

@@ -21,8 +21,7 @@ class SolidAngles final : public AreaFunctional {
   [[nodiscard]] Frames frames(const Coordinates& image) const override;
   [[nodiscard]] Gradients gradients(const Coordinates& image, const Frames& frames) const override;
   [[nodiscard]] Coordinates moved(const Coordinates& image, const Coordinates& displacement, double t) const override;
-  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch,
-                                                        const Coordinates& image) const override;
+  [[nodiscard]] std::unique_ptr<AreaFunctional> inPatch(const Patch& patch, const Coordinates& image) const override;
   /// Of the signed volume, a cubic in t, for t ≤ kFarthest; its sign is that of the solid angle also after retraction.
   [[nodiscard]] double firstFlip(const Coordinates& image, const Coordinates& displacement, int face) const override;
 
