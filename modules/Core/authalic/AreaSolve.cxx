@@ -10,7 +10,7 @@
 namespace authalic {
 namespace {
 
-constexpr int kRounds = 8, kRoundsWithShapes = 3;
+constexpr int kRoundsWithShapes = 3;
 constexpr int kMostVertexSteps = 12;    // of one round, and as many more as each halve the residual
 constexpr double kPinned = 0.1;         // a vertex step shorter than this leads nowhere
 constexpr double kGettingSlow = 0.8;    // factor of the residual over kSlowSteps / 2 face steps
@@ -48,7 +48,7 @@ class AreaSolver {
     double goal = options_.tolerance;
     bool reached = vertices_.residual(image) <= options_.vertexTolerance;
     if (reached) keepIfBetter(image);
-    for (int round = 0; round < kRounds && !ended(); ++round) {
+    for (int round = 0; !ended(); ++round) {
       const bool moved = faceSteps(goal, image);
       Coordinates exact = image;
       stepsOnStars(exact);
@@ -60,7 +60,7 @@ class AreaSolver {
         faces_.freeShapes();
         shapes_ = Shapes::Free;
       }
-      if (!moved && !reached) result_.status = Status::Stalled;
+      if (!moved && (!reached || faces_.stalled())) result_.status = Status::Stalled;
     }
     if (result_.image.size() == 0) result_.image = std::move(image);
     result_.faceResidual = faces_.residual(result_.image);
