@@ -61,9 +61,9 @@ struct AuthalicMapResult : AuthalicSolution {
 ///    reach 1e-12.
 ///
 /// Where vertex steps would fold a face its corners are stiffened, and when that does not help the face steps go on
-/// to half the residual. What does not converge from the fixed point is tried again from the
-/// reweighted Tutte map, on areas alone. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so
-/// that exact faces are within reach only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
+/// to half the residual. What does not converge from the fixed point is tried again from the reweighted Tutte map, on
+/// areas alone. There are 2 n_I + n_B unknowns against 2 n_I + n_B − 3 face areas, so that exact faces are within reach
+/// only where the mesh allows it: faces are matched to `tolerance`, stars exactly.
 ///
 /// @param initial  n×2, a map to the same domain with the boundary on its boundary, or empty; folds in it are
 /// unfolded first
